@@ -1,0 +1,43 @@
+// (10) Framebuffer: what the pipeline fills, linear light, row 0 on top.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace scanlit {
+
+constexpr int max_framebuffer_size = 16384;     // per side, in pixels
+constexpr std::uint32_t no_id = 0xffffffffu;    // object or triangle id where nothing is covered
+
+/// Which planes a frame fills beside colour. A plane that is not asked for costs nothing.
+struct Planes {
+  bool depth = false;   // larger is nearer; 0 where nothing is covered
+  bool normal = false;  // world space, unit, as shaded; (0,0,0) where nothing is covered
+  bool ids = false;     // object: index in Scene::objects; triangle: index in its Mesh
+  bool parts = false;   // ambient, diffuse and glossy, whose sum is the colour
+
+  friend bool operator==(const Planes&, const Planes&) = default;
+};
+
+/// Pixel (x, y) is element y * width + x of each plane; a plane with k channels has k consecutive
+/// floats per pixel. With several samples a pixel, colour, parts and normal are the weighted sums
+/// over the samples; depth and ids are those of sample 0.
+struct Framebuffer {
+  int width = 0, height = 0;
+  std::vector<float> colour;  // RGBA, linear, premultiplied; alpha is the covered share 0..1
+  std::vector<float> depth;
+  std::vector<float> normal;  // xyz
+  std::vector<std::uint32_t> object_id, triangle_id;
+  std::vector<float> ambient, diffuse, glossy;  // rgb
+
+  Framebuffer() = default;
+  /// Allocates; cleared to nothing covered. Throws Error where a side is not 1..16384.
+  Framebuffer(int width, int height, const Planes& planes = {});
+
+  std::size_t pixel_count() const { return std::size_t(width) * std::size_t(height); }
+  Planes planes() const {
+    return {!depth.empty(), !normal.empty(), !object_id.empty(), !ambient.empty()};
+  }
+};
+
+}  // namespace scanlit

@@ -1,0 +1,79 @@
+// The one small interface through which a reflection model is plugged into the engine. The engine
+// owns it and knows no model; `formula_model.h` implements it for any formula written once as a
+// template over its scalar type.
+//
+// A model returns the lecture's braces, { Kd (N.L) + Ks (N.H)^n }, that is pi f_r(l, v) (n.l):
+// dimensionless, per channel, cosine included, so that light at grazing angles needs no division;
+// in two parts, diffuse and glossy, so that both colour forms can be expressed. f_r itself is 1/sr.
+#pragma once
+
+#include <cstddef>
+
+#include "rasterizer/vec.h"
+
+namespace scanlit {
+
+/// The two parts of pi f_r (n.l). Linear RGB, >= 0.
+template <class T>
+struct Reflection {
+  Rgb<T> diffuse;
+  Rgb<T> glossy;
+};
+
+/// The surface point a formula sees if it asks for it.
+template <class T>
+struct SurfacePoint {
+  Vec3<T> object_position;  // object space
+  T u{}, v{};               // texture coordinates; 0 where the mesh has none
+};
+
+/// What a model asks the engine to provide beyond the four cosines.
+struct Needs {
+  bool frame = false;          // tangents: l, v, h in the shading frame
+  bool surface_point = false;  // object position and texture coordinates
+};
+
+/// The smallest n_v a formula ever sees. An interpolated normal can tilt away from the viewer near
+/// a silhouette although the fragment is visible; without the clamp D G F / (N.V) divides by zero
+/// or a visible fragment is treated as unseen. `cosines()` in formula_model.h applies it, nowhere
+/// else.
+constexpr double min_n_v = 1e-4;
+
+/// Arrays of floats for a span of `size` points, one array per component. Each array holds whole
+/// vectors: it may be read up to `size` rounded up to a multiple of max_lanes.
+struct DirectionSpan {
+  std::size_t size = 0;
+  const float* normal[3] = {};           // unit
+  const float* to_light[3] = {};         // unit
+  const float* to_viewer[3] = {};        // unit
+  const float* tangent[3] = {};          // unit, perpendicular to normal; only if needs().frame
+  const float* object_position[3] = {};  // only if needs().surface_point
+  const float* texcoord[2] = {};         // only if needs().surface_point
+};
+constexpr std::size_t max_lanes = 16;
+
+/// Where a span's result goes; written up to `size` rounded up to a multiple of max_lanes.
+struct ReflectionSpan {
+  float* diffuse[3] = {};
+  float* glossy[3] = {};
+};
+
+class ReflectionModel {
+ public:
+  virtual ~ReflectionModel() = default;
+
+  virtual Needs needs() const = 0;
+
+  /// A whole span in one call, in vector arithmetic. Light below the horizon gives 0. A viewer
+  /// below it is taken for one just above (min_n_v): the span's points are visible.
+  virtual void evaluate(const DirectionSpan& in, const ReflectionSpan& out) const = 0;
+
+  /// A single query: l towards the light, v towards the viewer, unit, in the shading frame (x
+  /// tangent, y bitangent, z normal). 0 where light or viewer is at or below the horizon.
+  virtual Reflection<double> evaluate(const Vec3<double>& l, const Vec3<double>& v,
+                                      const SurfacePoint<double>& point = {}) const = 0;
+  virtual Reflection<float> evaluate(const Vec3<float>& l, const Vec3<float>& v,
+                                     const SurfacePoint<float>& point = {}) const = 0;
+};
+
+}  // namespace scanlit
