@@ -22,11 +22,11 @@ struct ParameterInfo {
 
 /// What there is to know of a model before it is made.
 struct ModelInfo {
-  std::string name;           // "blinn-phong"
-  std::string title;          // "Blinn-Phong (N.H)"
-  std::string source;         // "Blinn 1977, Models of light reflection ..., eq. ..."
-  bool reciprocal;            // f_r(l,v) = f_r(v,l)
-  bool energy_bounded;        // directional albedo at most 1 for every allowed parameter
+  std::string name;     // "blinn-phong"
+  std::string title;    // "Blinn-Phong (N.H)"
+  std::string source;   // "Blinn 1977, Models of light reflection ..., eq. ..."
+  bool reciprocal;      // f_r(l,v) = f_r(v,l)
+  bool energy_bounded;  // directional albedo at most 1 for every allowed parameter
   std::vector<ParameterInfo> parameters;
 };
 

@@ -1,0 +1,133 @@
+// Batch: one float per vector lane, so that a formula written for one point serves a whole vector.
+//
+// A thin class over Highway's static target, with the mathematics Highway lacks. Comparisons give a
+// Mask that does not convert to bool: an `if` on a Batch does not compile, `select` is the way.
+//
+// Two kinds of arithmetic:
+//  * operators + - * / and sqrt are single IEEE operations, never fused (the build says
+//    -ffp-contract=off): the same to the bit as scalar float on every processor. Whatever decides
+//    coverage, ids or depth uses these alone.
+//  * mul_add is fused where the processor can (AVX2, AVX-512) and not elsewhere (SSE4). Only
+//  shading
+//    may use it.
+#pragma once
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+namespace scanlit {
+
+// The namespace bears the instruction set's name: code built for one level does not link with code
+// built for another, instead of failing at run time.
+inline namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+class Batch {
+ public:
+  using Tag = hn::ScalableTag<float>;
+  using Vector = hn::Vec<Tag>;
+  static constexpr Tag tag{};
+  static constexpr int lanes = int(hn::MaxLanes(Tag()));
+  static_assert(HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL || HWY_TARGET == HWY_AVX2 ||
+                    HWY_TARGET == HWY_SSE4 || !HWY_ARCH_X86,
+                "the build's -march and HWY_DISABLE_PCLMUL_AES must give SSE4, AVX2 or AVX-512");
+
+  struct Mask {
+    hn::Mask<Tag> raw;
+    friend Mask operator&(Mask a, Mask b) { return {hn::And(a.raw, b.raw)}; }
+    friend Mask operator|(Mask a, Mask b) { return {hn::Or(a.raw, b.raw)}; }
+    friend bool none(Mask m) { return hn::AllFalse(tag, m.raw); }
+  };
+
+  Batch() = default;
+  Batch(Vector v) : raw(v) {}
+  Batch(float s) : raw(hn::Set(tag, s)) {}
+  Batch(double s) : Batch(float(s)) {}
+  Batch(int s) : Batch(float(s)) {}
+
+  static Batch load(const float* p) { return hn::LoadU(tag, p); }
+  void store(float* p) const { hn::StoreU(raw, tag, p); }
+  /// first, first + 1, first + 2, ...; exact while below 2^24.
+  static Batch iota(float first) { return hn::Iota(tag, first); }
+
+  friend Batch operator+(Batch a, Batch b) { return hn::Add(a.raw, b.raw); }
+  friend Batch operator-(Batch a, Batch b) { return hn::Sub(a.raw, b.raw); }
+  friend Batch operator*(Batch a, Batch b) { return hn::Mul(a.raw, b.raw); }
+  friend Batch operator/(Batch a, Batch b) { return hn::Div(a.raw, b.raw); }
+  friend Batch operator-(Batch a) { return hn::Neg(a.raw); }
+  Batch& operator+=(Batch b) { return *this = *this + b; }
+
+  friend Mask operator<(Batch a, Batch b) { return {hn::Lt(a.raw, b.raw)}; }
+  friend Mask operator<=(Batch a, Batch b) { return {hn::Le(a.raw, b.raw)}; }
+  friend Mask operator>(Batch a, Batch b) { return {hn::Gt(a.raw, b.raw)}; }
+  friend Mask operator>=(Batch a, Batch b) { return {hn::Ge(a.raw, b.raw)}; }
+
+  friend Batch select(Mask m, Batch a, Batch b) { return hn::IfThenElse(m.raw, a.raw, b.raw); }
+  friend Batch min(Batch a, Batch b) { return hn::Min(a.raw, b.raw); }
+  friend Batch max(Batch a, Batch b) { return hn::Max(a.raw, b.raw); }
+  friend Batch abs(Batch a) { return hn::Abs(a.raw); }
+  friend Batch sqrt(Batch a) { return hn::Sqrt(a.raw); }
+  /// a * b + c, with one rounding where the processor fuses and two elsewhere.
+  friend Batch mul_add(Batch a, Batch b, Batch c) { return hn::MulAdd(a.raw, b.raw, c.raw); }
+
+  Vector raw;
+};
+
+/// e^x. Domain: all x; below -87 the result is 0, above 88 it is e^88 (1.65e38), NaN gives e^88 or
+/// 0 but no trap. Maximum error on [-87, 88]: 1.5e-7 relative. Source: argument reduction x = k ln
+/// 2 + r after Cody and Waite 1980, with ln 2 in two parts so that k * ln2_high is exact; Taylor
+/// coefficients to r^7 on |r| <= ln(2)/2.
+inline Batch exp(Batch x) {
+  const auto ints = hn::RebindToSigned<Batch::Tag>();
+  const Batch clamped = min(max(x, -87.5f), 88.0f);
+  const Batch k = hn::Round((clamped * 1.44269504f).raw);
+  const Batch r = mul_add(k, 2.12194440e-4f, mul_add(k, -0.693359375f, clamped));
+  Batch p = 1.0 / 5040;
+  p = mul_add(p, r, 1.0 / 720);
+  p = mul_add(p, r, 1.0 / 120);
+  p = mul_add(p, r, 1.0 / 24);
+  p = mul_add(p, r, 1.0 / 6);
+  p = mul_add(p, r, 0.5);
+  p = mul_add(p * r, r, r) + 1.0f;
+  const auto exponent = hn::ShiftLeft<23>(hn::ConvertTo(ints, k.raw));
+  const Batch scaled = hn::BitCast(Batch::tag, hn::Add(hn::BitCast(ints, p.raw), exponent));
+  return select(x < -87.0f, 0.0f, scaled);
+}
+
+/// Natural logarithm. Domain: x >= 2^-126; anything below, zero and negative included, gives
+/// log(2^-126) = -87.34. Maximum error: 1.2e-7 relative, or 6e-8 absolute near x = 1.
+/// Source: x = 2^k m with m in [sqrt(1/2), sqrt(2)); log m = 2 atanh((m-1)/(m+1)) as an odd series,
+/// whose truncation error at the ends of the interval is below 2e-9.
+inline Batch log(Batch x) {
+  const auto ints = hn::RebindToSigned<Batch::Tag>();
+  const Batch normal = max(x, 1.17549435e-38f);
+  const auto bits = hn::BitCast(ints, normal.raw);
+  // 0x3f3504f3 is sqrt(1/2): what is left of it after whole powers of two goes to k.
+  const auto above = hn::Sub(bits, hn::Set(ints, 0x3f3504f3));
+  const Batch k = hn::ConvertTo(Batch::tag, hn::ShiftRight<23>(above));
+  const auto mantissa = hn::And(above, hn::Set(ints, 0x007fffff));
+  const Batch m = hn::BitCast(Batch::tag, hn::Add(mantissa, hn::Set(ints, 0x3f3504f3)));
+  const Batch f = m - 1.0f;
+  const Batch s = f / (m + 1.0f);
+  const Batch s2 = s * s;
+  Batch p = 2.0 / 11;
+  p = mul_add(p, s2, 2.0 / 9);
+  p = mul_add(p, s2, 2.0 / 7);
+  p = mul_add(p, s2, 2.0 / 5);
+  p = mul_add(p, s2, 2.0 / 3);
+  // 2 atanh(s) = f - s f + s^3 p, because 2 s = f - s f: the leading term f is exact.
+  const Batch tail = mul_add(s * s2, p, mul_add(k, -2.12194440e-4f, -(s * f)));
+  return mul_add(k, 0.693359375f, f + tail);
+}
+
+/// x^y for x >= 0. Maximum error: (1 + |y log x|) * 1.5e-7 relative; results below 2^-126 are 0;
+/// pow(x, 0) = 1 also at x = 0, as std::pow has it; negative x is taken for 0.
+inline Batch pow(Batch x, Batch y) {
+  const Batch power = exp(y * log(x));
+  return select(x <= 0.0f, select(abs(y) <= 0.0f, 1.0f, 0.0f), power);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace scanlit

@@ -1,0 +1,23 @@
+// What a formula template calls, for the scalars double and float; batch.h has the same for Batch.
+#pragma once
+
+#include <cmath>
+
+namespace scanlit {
+
+using std::abs;
+using std::exp;
+using std::log;
+using std::pow;
+using std::sqrt;
+
+inline double select(bool condition, double a, double b) { return condition ? a : b; }
+inline float select(bool condition, float a, float b) { return condition ? a : b; }
+inline double min(double a, double b) { return a < b ? a : b; }
+inline float min(float a, float b) { return a < b ? a : b; }
+inline double max(double a, double b) { return a > b ? a : b; }
+inline float max(float a, float b) { return a > b ? a : b; }
+inline double mul_add(double a, double b, double c) { return a * b + c; }
+inline float mul_add(float a, float b, float c) { return a * b + c; }
+
+}  // namespace scanlit
