@@ -1,13 +1,17 @@
 // (10) Framebuffer: what the pipeline fills, linear light, row 0 on top.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace scanlit {
 
-constexpr int max_framebuffer_size = 16384;     // per side, in pixels
-constexpr std::uint32_t no_id = 0xffffffffu;    // object or triangle id where nothing is covered
+constexpr int max_framebuffer_size = 16384;   // per side, in pixels
+constexpr std::uint32_t no_id = 0xffffffffu;  // object or triangle id where nothing is covered
+
+/// Throws Error where a side is not 1..16384.
+void validate_size(int width, int height);
 
 /// Which planes a frame fills beside colour. A plane that is not asked for costs nothing.
 struct Planes {
@@ -31,8 +35,8 @@ struct Framebuffer {
   std::vector<float> ambient, diffuse, glossy;  // rgb
 
   Framebuffer() = default;
-  /// Allocates; cleared to nothing covered. Throws Error where a side is not 1..16384.
-  Framebuffer(int width, int height, const Planes& planes = {});
+  /// Allocates; cleared to nothing covered. Throws Error as validate_size does.
+  Framebuffer(int width_pixels, int height_pixels, const Planes& planes = {});
 
   std::size_t pixel_count() const { return std::size_t(width) * std::size_t(height); }
   Planes planes() const {
