@@ -1,0 +1,19 @@
+// The commands of `scanlit`, one file each. Each adds itself to the program and returns what to do
+// when it is called, which throws Error.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace scanlit::studio {
+
+struct Command {
+  CLI::App* app;
+  std::function<void()> run;
+};
+
+Command add_render_command(CLI::App& program);
+Command add_models_command(CLI::App& program);
+Command add_shapes_command(CLI::App& program);
+
+}  // namespace scanlit::studio

@@ -1,0 +1,153 @@
+#include "lessons/studio/description.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+#include <map>
+#include <tuple>
+
+#include "rasterizer/error.h"
+#include "rasterizer/shapes.h"
+
+namespace scanlit::studio {
+namespace {
+
+std::shared_ptr<const Mesh> read_mesh(const ObjectDescription& object) {
+  if (is_shape(object.mesh)) {
+    Mesh mesh = make_shape(object.mesh);
+    if (object.mesh_options.crease_deg)
+      mesh.warnings.push_back("a built-in shape knows its normals: the crease angle has no effect");
+    return std::make_shared<const Mesh>(std::move(mesh));
+  }
+  const std::filesystem::path file = object.folder / object.mesh;
+  if (!std::filesystem::exists(file) && !std::filesystem::path(object.mesh).has_extension()) {
+    std::vector<std::string> names;
+    for (const ShapeInfo& shape : shapes()) names.push_back(shape.name);
+    throw Error("'" + object.mesh + "' is neither a file nor a built-in shape" +
+                did_you_mean(object.mesh.substr(0, object.mesh.find(':')), names));
+  }
+  return std::make_shared<const Mesh>(load_mesh(file, object.mesh_options));
+}
+
+Material make_material(const MaterialDescription& description) {
+  Material material;
+  material.model = description.model.model;
+  material.form = description.form;
+  material.object_colour = description.object_colour;
+  for (const auto& [key, value] : description.model.values)
+    if (key == "kd") material.ka = value * ambient_share;
+  material.ka = description.ka.value_or(material.ka);
+  return material;
+}
+
+/// The viewer's axes in world space.
+struct ViewerFrame {
+  glm::dvec3 right, up, back;  // back: from the scene towards the viewer
+};
+
+ViewerFrame viewer_frame(const Camera& camera) {
+  const glm::dvec3 back = towards_viewer(camera);
+  const glm::dvec3 right = glm::normalize(glm::cross(camera.up, back));
+  return {right, glm::cross(back, right), back};
+}
+
+Light directional(const glm::dvec3& towards_light, double intensity, const Rgb<double>& colour) {
+  Light light;
+  light.direction = glm::normalize(towards_light);
+  light.intensity = intensity;
+  light.colour = colour;
+  return light;
+}
+
+/// Azimuth 0 is +z for +y up, and -y for +z up: in both x stays on the right.
+glm::dvec3 viewing_direction(const View& view) {
+  if (glm::length(view.up) == 0) throw Error("camera: up is the zero vector");
+  const glm::dvec3 up = glm::normalize(view.up);
+  const glm::dvec3 side = std::abs(up.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 0, 1);
+  const glm::dvec3 front = glm::normalize(glm::cross(side, up));
+  const glm::dvec3 right = glm::cross(up, front);
+  const double azimuth_rad = glm::radians(view.azimuth_deg);
+  const double elevation_rad = glm::radians(view.elevation_deg);
+  return std::cos(elevation_rad) * (std::cos(azimuth_rad) * front + std::sin(azimuth_rad) * right) +
+         std::sin(elevation_rad) * up;
+}
+
+/// Near and far planes for a viewer whose place is given: they clear the scene where they can.
+void set_depth_range(Camera& camera, const Sphere& bounds) {
+  const double distance = glm::length(bounds.centre - camera.eye);
+  const double radius = std::max(bounds.radius, 1e-6);  // a scene of one point has no size
+  // A viewer inside the scene must still see what is close by: a thousandth of its size.
+  camera.near = std::max(distance - 1.01 * radius, 1e-3 * radius);
+  camera.far = distance + 1.01 * radius;
+}
+
+}  // namespace
+
+Description describe_object(const std::string& mesh) {
+  Description description;
+  ObjectDescription object;
+  object.name = mesh;
+  object.mesh = mesh;
+  object.material.model = models::make(default_model);
+  description.objects.push_back(std::move(object));
+  return description;
+}
+
+Scene make_scene(const Description& description) {
+  Scene scene;
+  scene.ambient = description.ambient_colour * description.ambient_intensity;
+  scene.background = description.background;
+
+  using Source = std::tuple<std::filesystem::path, NormalWeight, double>;
+  std::map<Source, std::shared_ptr<const Mesh>> meshes;
+  for (const ObjectDescription& from : description.objects) {
+    const Source source{
+        is_shape(from.mesh) ? std::filesystem::path(from.mesh) : from.folder / from.mesh,
+        from.mesh_options.normal_weight, from.mesh_options.crease_deg.value_or(-1)};
+    std::shared_ptr<const Mesh>& mesh = meshes[source];
+    try {
+      if (!mesh) mesh = read_mesh(from);
+    } catch (const Error& error) {
+      if (from.where.empty()) throw;
+      throw Error(from.where, error.what());
+    }
+    scene.objects.push_back({mesh, from.world_from_object, make_material(from.material),
+                             from.shading, from.sides, from.name});
+  }
+  return scene;
+}
+
+Camera make_camera(const View& view, const Sphere& bounds, double aspect) {
+  Camera camera;
+  camera.up = view.up;
+  camera.projection = view.projection;
+  camera.fov_deg = view.fov_deg;
+  camera.viewer_at_infinity = view.viewer_at_infinity;
+  if (view.eye) {
+    camera.eye = *view.eye;
+    camera.target = view.target.value_or(bounds.centre);
+    camera.height = 2 * bounds.radius;
+    set_depth_range(camera, bounds);
+  } else {
+    const glm::dvec3 target = view.target.value_or(bounds.centre);
+    const Sphere frame{target, bounds.radius + glm::length(bounds.centre - target)};
+    camera.target = target;
+    camera.eye = target + viewing_direction(view);
+    camera = framed(camera, frame, aspect);
+  }
+  camera.height = view.height.value_or(camera.height);
+  camera.near = view.near.value_or(camera.near);
+  camera.far = view.far.value_or(camera.far);
+  validate(camera);
+  return camera;
+}
+
+std::vector<Light> make_lights(const Description& description, const Camera& camera) {
+  if (!description.lights.empty()) return description.lights;
+  const auto [right, up, back] = viewer_frame(camera);
+  return {directional(-0.6 * right + 0.75 * up + 0.65 * back, 0.95, {1.0, 0.97, 0.92}),
+          directional(0.9 * right + 0.1 * up + 0.45 * back, 0.18, {0.75, 0.85, 1.0})};
+}
+
+}  // namespace scanlit::studio

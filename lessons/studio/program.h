@@ -1,0 +1,32 @@
+// What `scanlit` and the lessons share as command-line programs: errors become one line and an exit
+// code, an unknown option gets a suggestion, and a signal leaves no half-written file.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace scanlit::studio {
+
+/// 2: bad input, or not enough memory; 1: a fault of the program itself.
+constexpr int exit_bad_input = 2, exit_internal = 1;
+
+/// Reads the command line into `app`, then runs `action`; both turn exceptions into one line
+/// "error: ..." on stderr and the exit code that is returned. `--help` and `--version` print and
+/// return 0 without running `action`.
+int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& action);
+
+/// While it lives, Ctrl-C and its like wait: a picture is written beside its place first, and a
+/// program killed in that moment would leave the temporary file.
+class HoldInterrupts {
+ public:
+  HoldInterrupts();
+  ~HoldInterrupts();
+  HoldInterrupts(const HoldInterrupts&) = delete;
+  HoldInterrupts& operator=(const HoldInterrupts&) = delete;
+};
+
+/// "warning: ..." and "note: ...", one line each, on stderr.
+void warn(const std::string& message);
+void note(const std::string& message);
+
+}  // namespace scanlit::studio

@@ -1,0 +1,104 @@
+// scanlit render
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+#include <memory>
+#include <set>
+
+#include "lessons/studio/commands.h"
+#include "lessons/studio/program.h"
+#include "lessons/studio/progress_bar.h"
+#include "lessons/studio/render_options.h"
+#include "lessons/studio/scene_file.h"
+#include "lessons/studio/stats_report.h"
+#include "lessons/studio/text.h"
+#include "rasterizer/error.h"
+
+namespace scanlit::studio {
+namespace {
+
+void check_targets(const RenderOptions& options, const Picture& picture) {
+  check_image_target(options.output_file(), picture.width, picture.height);
+  if (options.aov.empty()) return;
+  if (std::filesystem::path(options.aov).extension() != ".exr")
+    throw Error("--aov", "'" + options.aov + "' is not an .exr file, which alone holds channels");
+  if (std::filesystem::path(options.aov).lexically_normal() ==
+      options.output_file().lexically_normal())
+    throw Error("--aov", "'" + options.aov + "' is the picture's own file");
+  check_image_target(options.aov, picture.width, picture.height);
+}
+
+/// Each mesh's warnings once, however many objects share it.
+void print_warnings(const Scene& scene) {
+  std::set<const Mesh*> seen;
+  for (const Object& object : scene.objects)
+    if (seen.insert(object.mesh.get()).second)
+      for (const std::string& warning : object.mesh->warnings)
+        warn(object.mesh->name + ": " + warning);
+}
+
+/// By how much the exposure must go down for the brightest channel to fit, rounded to tenths.
+double fitting_exposure(const Framebuffer& framebuffer, double exposure_ev) {
+  const float brightest = *std::max_element(framebuffer.colour.begin(), framebuffer.colour.end());
+  return std::min(exposure_ev, std::floor(-10 * std::log2(double(brightest))) / 10);
+}
+
+void report_picture(const RenderOptions& options, const Picture& picture, const FrameStats& stats,
+                    const ImageReport& image, const Framebuffer& framebuffer) {
+  if (stats.covered_pixels == 0) warn("nothing of the scene is in view");
+  if (image.clipped_pixels > 0)
+    note(grouped(image.clipped_pixels) + " pixels are too bright and were clipped; --exposure " +
+         text_of(fitting_exposure(framebuffer, picture.image.exposure_ev)) +
+         " would keep them all");
+  std::cout << options.output_file().string() << ": " << picture.width << " x " << picture.height
+            << " pixels, " << grouped(stats.triangles) << " triangles, "
+            << std::max(1L, std::lround(1e3 * stats.wall_seconds)) << " ms\n";
+  if (!options.aov.empty()) std::cout << options.aov << ": depth, normals, ids and parts\n";
+  if (options.stats) print_stats(std::cout, stats);
+}
+
+FrameStats draw(const Scene& scene, const Camera& camera, RenderSettings settings,
+                Framebuffer& framebuffer) {
+  ProgressBar bar;
+  settings.progress = [&bar](double share) { bar.show(share); };
+  return render(scene, camera, settings, framebuffer);
+}
+
+void render_picture(const RenderOptions& options) {
+  const Description description = options.describe();
+  const Picture& picture = description.picture;
+  check_targets(options, picture);
+
+  Scene scene = make_scene(description);
+  print_warnings(scene);
+  const double aspect = double(picture.width) / picture.height;
+  const Camera camera = make_camera(description.view, bounding_sphere(scene), aspect);
+  scene.lights = make_lights(description, camera);
+
+  const bool all = !options.aov.empty();
+  Framebuffer framebuffer(picture.width, picture.height, {all, all, all, all});
+  const FrameStats stats = draw(scene, camera, picture.settings, framebuffer);
+  const HoldInterrupts until_written;
+  const ImageReport image = write_image(options.output_file(), framebuffer, picture.image);
+  if (!options.aov.empty()) write_aovs(options.aov, framebuffer);
+  report_picture(options, picture, stats, image, framebuffer);
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("render", "Draws a mesh, a built-in shape or a scene");
+  app->footer(std::string("Examples:\n"
+                          "  scanlit render teapot:16 --shading gouraud -o teapot.png\n"
+                          "  scanlit render bunny.obj --model blinn-phong:ks=.4,n=50 --samples 16\n"
+                          "  scanlit render scene.toml --aov scene.exr --stats\n"
+                          "\n"
+                          "A scene file, in which everything but the mesh may be left out:\n") +
+              scene_example +
+              "\n\nColours are linear, .8,.2,.1 or one number for grey. In brackets: defaults.");
+  const auto options = std::make_shared<RenderOptions>();
+  add_render_options(*app, *options);
+  return {app, [options] { render_picture(*options); }};
+}
+
+}  // namespace scanlit::studio

@@ -1,0 +1,195 @@
+#include "lessons/studio/render_options.h"
+
+#include "lessons/studio/scene_file.h"
+#include "lessons/studio/text.h"
+#include "rasterizer/error.h"
+#include "rasterizer/shapes.h"
+
+namespace scanlit::studio {
+namespace {
+
+using Text = const std::string&;
+
+void set_shading(Description& d, Text where, Text text) {
+  const Shading shading = choose(where, "shading", text, shadings);
+  for (ObjectDescription& object : d.objects) object.shading = shading;
+}
+
+void set_model(Description& d, Text where, Text text) {
+  MaterialDescription material;
+  try {
+    material.model = models::make(text);
+  } catch (const Error& error) {
+    throw Error(where, error.what());
+  }
+  for (ObjectDescription& object : d.objects) object.material = material;
+}
+
+void set_ka(Description& d, Text where, Text text) {
+  const Rgb<double> ka = parse_colour(where, text, reflectance_range);
+  for (ObjectDescription& object : d.objects) object.material.ka = ka;
+}
+
+void set_object_colour(Description& d, Text where, Text text) {
+  const Rgb<double> colour = parse_colour(where, text, reflectance_range);
+  for (ObjectDescription& object : d.objects) {
+    object.material.form = ColourForm::plastic;
+    object.material.object_colour = colour;
+  }
+}
+
+void set_sides(Description& d, Text where, Text text) {
+  const Sides sides = choose(where, "value", text, all_sides);
+  for (ObjectDescription& object : d.objects) object.sides = sides;
+}
+
+void set_crease(Description& d, Text where, Text text) {
+  const double crease_deg = parse_number(where, text, crease_range_deg);
+  for (ObjectDescription& object : d.objects) object.mesh_options.crease_deg = crease_deg;
+}
+
+void set_normals(Description& d, Text where, Text text) {
+  const NormalWeight weight = choose(where, "weight", text, normal_weights);
+  for (ObjectDescription& object : d.objects) object.mesh_options.normal_weight = weight;
+}
+
+/// A direction replaces the lights; the first one given removes those of the scene.
+void set_light(Description& d, Text where, Text text) {
+  Light light;
+  light.direction = parse_vector(where, text);
+  if (light.direction == glm::dvec3(0)) throw Error(where, "the direction is the zero vector");
+  d.lights = {light};
+}
+
+void set_ambient(Description& d, Text where, Text text) {
+  d.ambient_intensity = parse_number(where, text, light_range);
+}
+
+void set_background(Description& d, Text where, Text text) {
+  d.background = parse_colour(where, text, light_range);
+}
+
+void set_azimuth(Description& d, Text where, Text text) {
+  d.view.azimuth_deg = parse_number(where, text, any_angle_deg);
+  d.view.eye.reset();
+}
+
+void set_elevation(Description& d, Text where, Text text) {
+  d.view.elevation_deg = parse_number(where, text, elevation_range_deg);
+  d.view.eye.reset();
+}
+
+void set_size(Description& d, Text where, Text text) {
+  std::tie(d.picture.width, d.picture.height) = parse_size(where, text);
+}
+
+void set_samples(Description& d, Text where, Text text) {
+  d.picture.settings.samples = check_samples(where, parse_integer(where, text, {1, 16}));
+}
+
+void set_interpolation(Description& d, Text where, Text text) {
+  const Choices<Interpolation> interpolations{{"perspective", Interpolation::perspective},
+                                              {"screen-linear", Interpolation::screen_linear}};
+  d.picture.settings.interpolation = choose(where, "interpolation", text, interpolations);
+}
+
+const char* const surface = "Surface";
+const char* const light = "Light";
+const char* const camera = "Camera";
+const char* const picture = "Picture";
+
+// In the order of --help; where two touch the same thing, the later one wins.
+const Edit all_edits[] = {
+    {surface, "--shading", "MODE", "flat, gouraud or phong (phong)", set_shading},
+    {surface, "--model", "SPEC", "reflection model, see scanlit models", set_model},
+    {surface, "--ka", "COLOUR", "ambient reflectance (.15 of the model's kd)", set_ka},
+    {surface, "--object-colour", "COLOUR", "the lecture's second form, this its object colour",
+     set_object_colour},
+    {surface, "--sides", "SIDES", "faces drawn: automatic, front or both (automatic)", set_sides},
+    {surface, "--crease", "DEG", "split normals at edges sharper than this", set_crease},
+    {surface, "--normals", "WEIGHT", "faces count by angle or area (angle), if the file has none",
+     set_normals},
+    {light, "--light", "X,Y,Z", "one directional light, from there (a key and a fill)", set_light},
+    {light, "--ambient", "IA", "intensity of the ambient light (1)", set_ambient},
+    {light, "--background", "COLOUR", "what is behind everything", set_background},
+    {camera, "--azimuth", "DEG", "seen from the front (0), right (90), ... (30)", set_azimuth},
+    {camera, "--elevation", "DEG", "seen from so far above the horizon (25)", set_elevation},
+    {camera, "--eye", "X,Y,Z", "the viewer's place (far enough to see everything)",
+     [](Description& d, Text where, Text text) { d.view.eye = parse_vector(where, text); }},
+    {camera, "--target", "X,Y,Z", "what the viewer looks at (the middle of the scene)",
+     [](Description& d, Text where, Text text) { d.view.target = parse_vector(where, text); }},
+    {camera, "--up", "X,Y,Z", "which way is up (0,1,0)",
+     [](Description& d, Text where, Text text) { d.view.up = parse_vector(where, text); }},
+    {camera, "--fov", "DEG", "vertical field of view (30)",
+     [](Description& d, Text where, Text text) {
+       d.view.fov_deg = parse_number(where, text, fov_range_deg);
+     }},
+    {camera, "--ortho", "", "orthographic projection",
+     [](Description& d, Text, Text) { d.view.projection = Projection::orthographic; }},
+    {camera, "--height", "LENGTH", "what an orthographic picture spans (everything)",
+     [](Description& d, Text where, Text text) {
+       d.view.height = parse_number(where, text, any_length);
+     }},
+    {camera, "--viewer-at-infinity", "", "V is the same at every point",
+     [](Description& d, Text, Text) { d.view.viewer_at_infinity = true; }},
+    {picture, "--size", "WxH", "in pixels (960x720)", set_size},
+    {picture, "--samples", "N", "per pixel, 1, 4, 8 or 16 (4)", set_samples},
+    {picture, "--exposure", "EV", "each 1 more doubles the brightness (0)",
+     [](Description& d, Text where, Text text) {
+       d.picture.image.exposure_ev = parse_number(where, text, exposure_range_ev);
+     }},
+    {picture, "--encoding", "NAME", "srgb or linear, for 8-bit formats (srgb)",
+     [](Description& d, Text where, Text text) {
+       d.picture.image.encoding = choose(where, "encoding", text, encodings);
+     }},
+    {picture, "--interpolation", "NAME", "perspective, or screen-linear to see its error",
+     set_interpolation},
+    {picture, "--clamp-vertex-colours", "", "Gouraud: clamp colours to 0..1 at the vertices",
+     [](Description& d, Text, Text) { d.picture.settings.clamp_vertex_colours = true; }},
+    {picture, "--threads", "N", "processors used (all)",
+     [](Description& d, Text where, Text text) {
+       d.picture.settings.threads = parse_integer(where, text, {1, 1024});
+     }},
+};
+
+Description describe_input(const std::string& input) {
+  if (input.empty()) throw Error("no INPUT: a mesh file, a shape or a scene; see render --help");
+  if (!is_shape(input) && std::filesystem::path(input).extension() == ".toml")
+    return read_scene_file(input);
+  return describe_object(input);
+}
+
+}  // namespace
+
+void add_render_options(CLI::App& app, RenderOptions& options) {
+  app.add_option("INPUT", options.input, "mesh file, built-in shape (teapot:16) or scene (.toml)")
+      ->type_name("");
+  app.add_option("-o,--output", options.output, "picture; its suffix is its format (INPUT.png)")
+      ->type_name("FILE");
+  app.add_option("--aov", options.aov, "an EXR with depth, normals, ids and the parts of the light")
+      ->type_name("FILE");
+  app.add_flag("--stats", options.stats, "print times and counts");
+  for (const Edit& edit : all_edits) {
+    CLI::Option* option =
+        *edit.type ? app.add_option(edit.option)->type_name(edit.type) : app.add_flag(edit.option);
+    option->description(edit.help)->group(edit.group);
+    options.edits.emplace_back(&edit, option);
+  }
+}
+
+std::filesystem::path RenderOptions::output_file() const {
+  if (!output.empty()) return output;
+  const std::string base = is_shape(input) ? input.substr(0, input.find(':'))
+                                           : std::filesystem::path(input).stem().string();
+  return base + ".png";
+}
+
+Description RenderOptions::describe() const {
+  Description description = describe_input(input);
+  for (const auto& [edit, option] : edits)
+    if (option->count() > 0)
+      edit->apply(description, edit->option, *edit->type ? option->as<std::string>() : "");
+  return description;
+}
+
+}  // namespace scanlit::studio
