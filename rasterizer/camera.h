@@ -27,9 +27,9 @@ struct Camera {
 /// direction, an angle, height, near or far out of range.
 void validate(const Camera& camera);
 
-/// The matrix of stage (3): clip_position = clip_from_world * world_position, computed in double and
-/// rounded once. After division by w: x and y in [-1, 1] with +y up, depth 1 at near and 0 at far
-/// (reversed: float is densest near 0, so far distances keep their precision).
+/// The matrix of stage (3): clip_position = clip_from_world * world_position, computed in double
+/// and rounded once. After division by w: x and y in [-1, 1] with +y up, depth 1 at near and 0 at
+/// far (reversed: float is densest near 0, so far distances keep their precision).
 glm::dmat4 clip_from_world(const Camera& camera, double aspect);
 
 /// Unit vector from the scene towards a viewer at infinity.

@@ -1,0 +1,197 @@
+#include "rasterizer/lighting.h"
+
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
+
+#include "rasterizer/batch.h"
+#include "rasterizer/scalar_math.h"
+
+namespace scanlit {
+
+namespace {
+
+constexpr int padded = SurfaceSpan::padded;
+
+using Vec3Array = float[3][padded];
+
+Vec3<Batch> load(const Vec3Array& a, int i) {
+  return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
+}
+
+void store(const Vec3<Batch>& v, Vec3Array& a, int i) {
+  v.x.store(a[0] + i), v.y.store(a[1] + i), v.z.store(a[2] + i);
+}
+
+template <class V>
+Vec3<Batch> broadcast(const V& v) {
+  return {Batch(float(v.x)), Batch(float(v.y)), Batch(float(v.z))};
+}
+
+/// v / |v|, or `otherwise` where v has no direction: a normal interpolated to zero, a light or an
+/// eye that lies on the surface. Without the bound those would be 0/0.
+Vec3<Batch> normalize_or(const Vec3<Batch>& v, const Vec3<Batch>& otherwise) {
+  const Batch length2 = dot(v, v), tiny(1e-30f);
+  const auto has_direction = length2 > tiny;
+  const Vec3<Batch> unit = v * (Batch(1) / sqrt(max(length2, tiny)));
+  return {select(has_direction, unit.x, otherwise.x), select(has_direction, unit.y, otherwise.y),
+          select(has_direction, unit.z, otherwise.z)};
+}
+
+/// What the model's span is made of, in world space.
+struct Directions {
+  float position[3][padded];
+  float to_viewer[3][padded];
+  float to_light[3][padded];
+  float tangent[3][padded];
+  float irradiance[padded];  // Ii times fall-off and spot cone, colour apart
+};
+
+Vec3<Batch> transform(const glm::mat3& m, const Vec3<Batch>& v) {
+  const auto row = [&](int i) {
+    return mul_add(Batch(m[0][i]), v.x, mul_add(Batch(m[1][i]), v.y, Batch(m[2][i]) * v.z));
+  };
+  return {row(0), row(1), row(2)};
+}
+
+/// A tangent field around the object's y axis: the direction in which longitude grows.
+Vec3<Batch> tangent_around_axis(const glm::vec3& axis, const glm::vec3& side,
+                                const Vec3<Batch>& normal) {
+  // At the poles the field has no direction; there it is continued by that of another axis.
+  const Vec3<Batch> around = cross(broadcast(axis), normal);
+  const Vec3<Batch> other = cross(broadcast(side), normal);
+  const auto pole = dot(around, around) < Batch(1e-6f);
+  const Vec3<Batch> t{select(pole, other.x, around.x), select(pole, other.y, around.y),
+                      select(pole, other.z, around.z)};
+  return normalize_or(t, broadcast(side));
+}
+
+/// Object space to world space, and the directions that do not depend on a light. A normal of no
+/// length is taken to face the viewer.
+void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Directions& d, Needs needs) {
+  const Camera& camera = frame.camera;
+  const bool far_viewer =
+      camera.viewer_at_infinity || camera.projection == Projection::orthographic;
+  const Vec3<Batch> eye = broadcast(camera.eye), far_direction = broadcast(towards_viewer(camera));
+  const glm::mat4& m = draw.object->world_from_object;
+  const glm::mat3 linear(m);
+  const Vec3<Batch> origin = broadcast(m[3]);
+  const glm::vec3 axis = glm::normalize(draw.normal_from_object[1] + glm::vec3(0, 1e-30f, 0));
+  const glm::vec3 side = glm::normalize(draw.normal_from_object[0] + glm::vec3(1e-30f, 0, 0));
+
+  for (int i = 0; i < surface.size; i += Batch::lanes) {
+    const Vec3<Batch> position = transform(linear, load(surface.position, i)) + origin;
+    const Vec3<Batch> to_viewer =
+        far_viewer ? far_direction : normalize_or(eye - position, far_direction);
+    const Vec3<Batch> normal =
+        normalize_or(transform(draw.normal_from_object, load(surface.normal, i)), to_viewer);
+    store(position, d.position, i);
+    store(to_viewer, d.to_viewer, i);
+    store(normal, surface.normal, i);
+    if (needs.frame) store(tangent_around_axis(axis, side, normal), d.tangent, i);
+  }
+}
+
+void directional(const Light& light, const SurfaceSpan& surface, Directions& d) {
+  const Vec3<Batch> to_light = broadcast(glm::normalize(light.direction));
+  for (int i = 0; i < surface.size; i += Batch::lanes) {
+    store(to_light, d.to_light, i);
+    Batch(light.intensity).store(d.irradiance + i);
+  }
+}
+
+/// Point light, with its fall-off; spot light, with its cone besides.
+void positional(const Light& light, const SurfaceSpan& surface, Directions& d) {
+  const bool spot = light.kind == LightKind::spot;
+  const Vec3<Batch> position = broadcast(light.position);
+  const Vec3<Batch> axis = spot ? broadcast(-glm::normalize(light.direction)) : Vec3<Batch>{};
+  const float cos_outer = float(std::cos(glm::radians(light.outer_deg)));
+  const float cos_inner = float(std::cos(glm::radians(light.inner_deg)));
+  for (int i = 0; i < surface.size; i += Batch::lanes) {
+    const Vec3<Batch> offset = position - load(d.position, i);
+    const Vec3<Batch> to_light = normalize_or(offset, load(surface.normal, i));
+    const Batch distance2 = dot(offset, offset), distance = sqrt(distance2);
+    // Closer than 1e-4 units an inverse-square light would overflow.
+    const Batch fall_off = max(
+        Batch(light.constant) + Batch(light.linear) * distance + Batch(light.quadratic) * distance2,
+        Batch(1e-8f));
+    Batch irradiance = Batch(light.intensity) / fall_off;
+    if (spot) {
+      // Smoothstep between the two angles' cosines.
+      const Batch share = (dot(axis, to_light) - Batch(cos_outer)) *
+                          Batch(1 / std::max(cos_inner - cos_outer, 1e-6f));
+      const Batch t = min(max(share, Batch(0)), Batch(1));
+      irradiance = irradiance * (t * t * (Batch(3) - Batch(2) * t));
+    }
+    store(to_light, d.to_light, i);
+    irradiance.store(d.irradiance + i);
+  }
+}
+
+void accumulate(const SurfaceSpan& surface, const Directions& d, const LitSpan& reflection,
+                const Rgb<double>& diffuse_tint, const Rgb<double>& glossy_tint, LitSpan& lit) {
+  const double tints[2][3] = {{diffuse_tint.r, diffuse_tint.g, diffuse_tint.b},
+                              {glossy_tint.r, glossy_tint.g, glossy_tint.b}};
+  for (int channel = 0; channel < 3; ++channel) {
+    const Batch diffuse(tints[0][channel]), glossy(tints[1][channel]);
+    for (int i = 0; i < surface.size; i += Batch::lanes) {
+      const Batch irradiance = Batch::load(d.irradiance + i);
+      const auto add = [&](const float* part, const Batch& tint, float* sum) {
+        mul_add(irradiance * tint, Batch::load(part + i), Batch::load(sum + i)).store(sum + i);
+      };
+      add(reflection.diffuse[channel], diffuse, lit.diffuse[channel]);
+      add(reflection.glossy[channel], glossy, lit.glossy[channel]);
+    }
+  }
+}
+
+}  // namespace
+
+Rgb<float> ambient_radiance(const Scene& scene, const Material& material) {
+  const Rgb<double>& a = scene.ambient;
+  const Rgb<double> radiance = material.form == ColourForm::tinted
+                                   ? material.ka * a
+                                   : material.ka * material.object_colour * ((a.r + a.g + a.b) / 3);
+  return {float(radiance.r), float(radiance.g), float(radiance.b)};
+}
+
+void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& lit,
+           FrameStats& stats) {
+  const Material& material = draw.object->material;
+  const Needs needs = material.model->needs();
+  Directions d;
+  place(frame, draw, surface, d, needs);
+
+  LitSpan reflection;
+  DirectionSpan in{.size = std::size_t(surface.size)};
+  const ReflectionSpan out{
+      .diffuse = {reflection.diffuse[0], reflection.diffuse[1], reflection.diffuse[2]},
+      .glossy = {reflection.glossy[0], reflection.glossy[1], reflection.glossy[2]}};
+  for (int c = 0; c < 3; ++c) {
+    in.normal[c] = surface.normal[c];
+    in.to_light[c] = d.to_light[c];
+    in.to_viewer[c] = d.to_viewer[c];
+    in.tangent[c] = needs.frame ? d.tangent[c] : nullptr;
+    in.object_position[c] = needs.surface_point ? surface.position[c] : nullptr;
+    if (c < 2) in.texcoord[c] = needs.surface_point ? surface.texcoord[c] : nullptr;
+    std::fill_n(lit.diffuse[c], surface.size, 0.0f);
+    std::fill_n(lit.glossy[c], surface.size, 0.0f);
+  }
+
+  for (const Light& source : frame.scene.lights) {
+    if (source.kind == LightKind::directional)
+      directional(source, surface, d);
+    else
+      positional(source, surface, d);
+    material.model->evaluate(in, out);
+    // Form 1: the light tints both parts. Form 2: the object colours the diffuse part, the light
+    // the glossy one.
+    const bool plastic = material.form == ColourForm::plastic;
+    accumulate(surface, d, reflection, plastic ? material.object_colour : source.colour,
+               source.colour, lit);
+    stats.evaluations += surface.size;
+    ++stats.spans;
+  }
+}
+
+}  // namespace scanlit

@@ -1,0 +1,271 @@
+// The pipeline: read this first. It tells the whole way of the data, in order; each number is
+// elaborated in the file named beside it.
+//
+//   (1) mesh             mesh.h             a file or a shape becomes flat arrays       object
+//   space (2) camera, scene    camera.h, scene.h  where things are, and who looks             world
+//   space (3) vertex stage     vertex_stage.cpp   every vertex, once                          clip
+//   space (4) clip             clip.cpp           the few triangles that leave the volume     clip
+//   space (5) project, snap    below              divide by w, round to 1/256 pixel screen space
+//   (6) bins             assembly.cpp       cull; sort triangles into tiles             screen
+//   space (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel screen
+//   space (8) resolve          resolve.cpp        visible fragments, gathered into spans (9)
+//   shading          shading.cpp        flat, Gouraud, Phong: where the reflection model is
+//                                           evaluated; lighting.cpp evaluates it
+//  (10) framebuffer      framebuffer.h      linear light
+//  (11) image            image.h            a file
+//
+// Visibility comes first and shading after it, once per visible fragment: what is hidden is never
+// shaded. render.cpp runs the stages: (3) and (6) over chunks of vertices and triangles, then (7)
+// to (10) tile by tile, each tile small enough to stay in the cache.
+//
+// Conventions, said once:
+//  * Object and world space are right-handed. The camera looks along -z of its own space, +y up.
+//  * Clip space: a point is inside where -w <= x <= w, -w <= y <= w, 0 <= z <= w.
+//  * Depth is z / w: 1 at the near plane, 0 at the far plane (or at infinity). Larger is nearer.
+//    Reversed so, float is densest where perspective is sparsest: far distances keep precision.
+//  * Screen space: x to the right, y down, row 0 on top; pixel (i, j) has its centre at
+//    (i + 1/2, j + 1/2). Positions are 24.8 fixed point: integers in 1/256 pixel.
+//  * Of two fragments at exactly equal depth the one drawn first stays (object order, then triangle
+//    order), so that the picture depends neither on threads nor on what was skipped.
+//  * A front face is counter-clockwise seen by the viewer (clockwise in the y-down numbers here).
+//  * Colours are linear light; directions are unit vectors that leave the surface.
+//  * Stages (3) to (7) use one fixed order of unfused operations: coverage, ids and depth are the
+//    same to the bit on every processor. Only shading may differ, by rounding.
+#pragma once
+
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <span>
+
+#include "rasterizer/render.h"
+
+namespace scanlit {
+
+// ------------------------------------------------------------------------------ (3) vertex stage
+
+/// A homogeneous position in clip space, before division by w.
+struct ClipVertex {
+  float x, y, z, w;
+};
+
+/// A vertex on the screen: position in 1/256 pixel, depth in [0, 1], and 1/w, which interpolates
+/// linearly on the screen where attributes do not. Positions lie in the guard band: |x|, |y| <
+/// 2^24.
+struct ScreenVertex {
+  std::int32_t x, y;
+  float depth;
+  float inv_w;
+};
+
+/// Bits of an outcode: which planes a clip-space vertex is outside of. The four side planes are
+/// those of the guard band, not of the picture: see Viewport.
+enum Outside : std::uint8_t {
+  outside_near = 1,
+  outside_far = 2,
+  outside_left = 4,
+  outside_right = 8,
+  outside_bottom = 16,
+  outside_top = 32,
+  not_finite = 64,  // float could not hold it; triangles with such a vertex are not drawn
+};
+
+/// The picture's size, and its guard band: triangles are cut at the picture's sides only where they
+/// reach 2^15 pixels beyond its centre. A picture is at most 2^14 pixels wide, so on the screen
+/// |x| <= 2^15 + 2^13 < 2^16 pixels = 2^24 units of 1/256. Differences of two positions are then
+/// below 2^25, an edge function (a difference of two products of differences) is below 2^51, and
+/// the numerator of an edge's crossing (EdgeWalker) below 2^52: 64-bit integers cannot overflow,
+/// and a double holds every edge function exactly.
+struct Viewport {
+  int width = 0, height = 0;
+
+  float guard_x() const { return 65536.0f / float(width); }  // in clip space: |x| <= guard_x w
+  float guard_y() const { return 65536.0f / float(height); }
+};
+
+/// An object made ready for one frame.
+struct Draw {
+  const Object* object;
+  const Mesh* mesh;
+  std::uint32_t index;           // in Scene::objects
+  std::uint32_t first_vertex;    // of its vertices in Frame::screen_vertices
+  std::uint32_t first_triangle;  // of its triangles in the frame's numbering
+  glm::mat4 clip_from_object;
+  glm::mat3 normal_from_object;  // world normal = this * object normal, not yet unit
+  bool draw_back_faces;
+  bool mirrored;  // the transform reverses orientation
+};
+
+// -------------------------------------------------------------------------------------- (4) clip
+
+/// A piece of a triangle that had to be cut, and where its corners lie in it.
+struct ClippedTriangle {
+  ScreenVertex vertices[3];
+  float barycentric[3][3];  // [corner][vertex of the source triangle]; rows sum to 1
+  std::uint32_t source;     // the triangle it was cut from, in the frame's numbering
+};
+
+/// Cuts a triangle by the planes in `outcodes` (those that at least one of its vertices is outside
+/// of). Appends up to 7 pieces. A cut point depends on the two ends of its edge alone, taken from
+/// inside to outside: two triangles that share an edge cut it at the same point.
+void clip(const ClipVertex (&triangle)[3], unsigned outcodes, const Viewport& viewport,
+          std::uint32_t source, std::vector<ClippedTriangle>& pieces);
+
+// --------------------------------------------------------------------------- (5) project and snap
+
+constexpr int subpixel = 256;             // units of a screen position in a pixel
+constexpr int half_pixel = subpixel / 2;  // a pixel's centre, in the pixel
+
+/// A triangle on the screen. twice_area is in (1/256 pixel)^2: positive if it faces the viewer,
+/// negative if not, 0 if it has no area there.
+struct ScreenTriangle {
+  ScreenVertex vertices[3];
+  std::int64_t twice_area;
+};
+
+/// The edge function: twice the signed area of (a, b, p). Positive where p lies on the inner side
+/// of the edge a -> b of a front face; exact (see Viewport).
+inline std::int64_t edge_function(const ScreenVertex& a, const ScreenVertex& b, std::int64_t px,
+                                  std::int64_t py) {
+  return std::int64_t(b.y - a.y) * (px - a.x) - std::int64_t(b.x - a.x) * (py - a.y);
+}
+
+inline ScreenTriangle screen_triangle(const ScreenVertex& a, const ScreenVertex& b,
+                                      const ScreenVertex& c) {
+  return {{a, b, c}, edge_function(a, b, c.x, c.y)};
+}
+
+// -------------------------------------------------------------------------------------- (6) bins
+
+/// Pixels [x_begin, x_end) x [y_begin, y_end).
+struct Rect {
+  int x_begin, y_begin, x_end, y_end;
+};
+
+/// The picture cut into tiles: bands of scanlines where a whole band stays in the cache, pieces of
+/// them where width or samples are too many for that.
+struct TileGrid {
+  int tile_width, tile_height, columns, rows;
+  Viewport viewport;
+
+  int count() const { return columns * rows; }
+  Rect tile(int index) const;
+};
+TileGrid make_tile_grid(const Viewport& viewport, int samples);
+
+/// Which triangle: its number in the frame, or, with the top bit set, the number of a piece in
+/// Frame::pieces.
+using TriangleId = std::uint32_t;
+constexpr TriangleId is_piece = 0x80000000u;
+constexpr TriangleId no_triangle = 0xffffffffu;
+
+/// What assembly made of one chunk of consecutive triangles. Each bin lists, in drawing order, the
+/// triangles that may touch its tile. Pieces are numbered from 0 in each chunk; first_piece is
+/// added when all chunks are known.
+struct Chunk {
+  std::vector<std::vector<TriangleId>> bins;
+  std::vector<ClippedTriangle> pieces;
+  std::uint32_t first_piece = 0;
+  FrameStats counts;
+};
+
+/// Flat and Gouraud: the places where the reflection model is evaluated before any fragment is, and
+/// the colours it gave. A site is a face of a flat object, or a vertex of a Gouraud object (where
+/// back faces are drawn, vertex v seen from behind is site v + vertex count). Phong has none.
+struct LitSites {
+  static constexpr int colour = 0, diffuse = 3, glossy = 6;  // first channel of each
+  int channels = 3;                  // colour alone, or with its diffuse and glossy parts
+  std::vector<std::uint8_t> needed;  // by a triangle that is drawn
+  std::vector<float> values;         // channels a site
+};
+
+/// Everything known of the frame that is being drawn. Each stage reads what earlier ones filled.
+struct Frame {
+  const Scene& scene;
+  const Camera& camera;
+  const RenderSettings& settings;
+  Viewport viewport;
+  TileGrid grid;
+  std::vector<Draw> draws;                    // (2)
+  std::vector<ScreenVertex> screen_vertices;  // (3)
+  std::vector<std::uint8_t> outcodes;         // (3), one a vertex
+  std::vector<Chunk> chunks;                  // (6)
+  std::vector<ClippedTriangle> pieces;        // (4), of all chunks
+  std::vector<LitSites> lit_sites;            // (9), one a draw
+
+  const Draw& draw_of(std::uint32_t triangle) const;
+  ScreenTriangle triangle(TriangleId id) const;
+  std::uint32_t source(TriangleId id) const {
+    return id & is_piece ? pieces[id ^ is_piece].source : id;
+  }
+};
+
+/// (3) for vertices [begin, end) of a draw.
+void transform_vertices(const Draw& draw, std::size_t begin, std::size_t end, Frame& frame);
+/// One vertex, by the same operations in the same order: the same bits.
+ClipVertex transform(const Draw& draw, const glm::vec3& object_position);
+ScreenVertex project(const ClipVertex& vertex, const Viewport& viewport);
+
+/// (4), (5), (6) for triangles [begin, end) of the frame.
+void assemble(std::uint32_t begin, std::uint32_t end, Frame& frame, Chunk& chunk);
+
+// --------------------------------------------------------------------------- (7) scan conversion
+
+/// The nearest triangle and its depth, for each sample of each pixel of a tile. Sample s of pixel
+/// (x, y) is element (s * height + y - y_begin) * stride + x - x_begin.
+struct VisibilityTile {
+  Rect rect;
+  int stride = 0;
+  int samples = 1;
+  std::vector<float> depth;
+  std::vector<TriangleId> triangle;
+
+  void reset(const Rect& tile, int sample_count);
+  std::size_t row(int sample, int y) const {
+    const int height = rect.y_end - rect.y_begin;
+    return std::size_t(sample * height + y - rect.y_begin) * std::size_t(stride);
+  }
+};
+
+/// A sample's offset from its pixel's centre, in 1/256 pixel.
+struct SampleOffset {
+  int x, y;
+};
+/// The positions for 1, 4, 8 or 16 samples; those of the Direct3D 11 and Vulkan standard patterns,
+/// whose grid of 1/16 pixel snaps exactly.
+std::span<const SampleOffset> sample_offsets(int samples);
+
+/// Scan-converts everything in a tile's bins.
+void scan_convert(const Frame& frame, int tile, VisibilityTile& visibility);
+
+// ---------------------------------------------------------------------------- (8), (9) fragments
+
+/// Consecutive fragments of one triangle in a span.
+struct Run {
+  std::uint32_t triangle;     // index in the mesh
+  std::uint16_t first, size;  // in the span
+  bool back_facing;           // its normal is flipped to the viewer's side
+};
+
+/// Visible fragments of one object, gathered across triangles, gaps and rows, so that vectors are
+/// full also where triangles are as small as pixels. An attribute a of a run's triangle is
+/// a0 + b1 (a1 - a0) + b2 (a2 - a0).
+struct FragmentSpan {
+  static constexpr int capacity = 256;
+  static constexpr int padded = capacity + int(max_lanes);
+
+  const Draw* draw = nullptr;
+  int size = 0, run_count = 0;
+  Run runs[capacity];
+  std::uint32_t pixel[capacity];  // y * width + x
+  float weight[capacity];         // share of the pixel's samples, 0..1
+  float b1[padded], b2[padded];   // barycentric coordinates in the mesh's triangle
+};
+
+/// Where a Gouraud object's model is evaluated for one corner of a triangle: see LitSites.
+inline std::size_t vertex_site(const Draw& draw, std::uint32_t triangle, int corner,
+                               bool back_facing) {
+  const std::size_t vertex = draw.mesh->indices[3 * std::size_t(triangle) + std::size_t(corner)];
+  return vertex + (back_facing ? draw.mesh->positions.size() : 0);
+}
+
+}  // namespace scanlit

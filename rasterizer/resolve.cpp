@@ -1,0 +1,100 @@
+#include "rasterizer/resolve.h"
+
+#include <algorithm>
+
+#include "rasterizer/batch.h"
+#include "rasterizer/scalar_math.h"
+
+namespace scanlit {
+
+FragmentSpan& SpanCollector::span_of(const Draw& draw) {
+  if (spans_.size() <= draw.index) spans_.resize(draw.index + 1);
+  auto& span = spans_[draw.index];
+  if (!span) {
+    if (unused_.empty()) unused_.push_back(std::make_unique<FragmentSpan>());
+    span = std::move(unused_.back());
+    unused_.pop_back();
+    span->draw = &draw;
+    span->size = span->run_count = 0;
+    open_.push_back(draw.index);
+  }
+  return *span;
+}
+
+VisibleTriangle::VisibleTriangle(const Frame& frame, TriangleId id)
+    : triangle_(frame.triangle(id)),
+      draw_(&frame.draw_of(frame.source(id))),
+      piece_(id & is_piece ? &frame.pieces[id ^ is_piece] : nullptr),
+      mesh_triangle_(frame.source(id) - draw_->first_triangle),
+      back_facing_((triangle_.twice_area < 0) != draw_->mirrored) {}
+
+bool VisibleTriangle::holds(double x, double y) const {
+  const double sign = triangle_.twice_area > 0 ? 1 : -1;
+  const double e1 = sign * edge_1(x, y), e2 = sign * edge_2(x, y);
+  return e1 >= 0 && e2 >= 0 && e1 + e2 <= sign * double(triangle_.twice_area);
+}
+
+namespace {
+
+/// (start + i step) scale for i = 0, 1, ..., count - 1, in double, rounded to float; whole vectors
+/// are written. Exact before the scale if start and step are whole numbers, so that a fragment's
+/// weights do not depend on where its run begins.
+void store_steps(double start, double step, double scale, int count, float* out) {
+  const hn::ScalableTag<double> doubles;
+  const hn::Rebind<float, decltype(doubles)> floats;
+  constexpr int width = int(hn::MaxLanes(doubles));
+  const int padded = (count + Batch::lanes - 1) / Batch::lanes * Batch::lanes;
+  for (int i = 0; i < padded; i += width) {
+    const auto index = hn::Iota(doubles, double(i));
+    const auto edge = hn::Add(hn::Set(doubles, start), hn::Mul(index, hn::Set(doubles, step)));
+    hn::StoreU(hn::DemoteTo(floats, hn::Mul(edge, hn::Set(doubles, scale))), floats, out + i);
+  }
+}
+
+}  // namespace
+
+void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel, float weight,
+                             Interpolation interpolation, FragmentSpan& span) const {
+  float *const b1 = span.b1 + span.size, *const b2 = span.b2 + span.size;
+  float b0[FragmentSpan::padded];
+  const auto& [a, b, c] = triangle_.vertices;
+  const double area = double(triangle_.twice_area), scale = 1.0 / area;
+  const double e1 = edge_1(x, y), step_1 = double(a.y - c.y) * subpixel;
+  const double e2 = edge_2(x, y), step_2 = double(b.y - a.y) * subpixel;
+  store_steps(e1, step_1, scale, count, b1);
+  store_steps(e2, step_2, scale, count, b2);
+  // From its own edge function too: as 1 - b1 - b2 in float it would lose its digits where it is
+  // small, and 1/w may weigh it by a million.
+  store_steps(area - e1 - e2, -step_1 - step_2, scale, count, b0);
+
+  const bool perspective =
+      interpolation == Interpolation::perspective && (a.inv_w != b.inv_w || b.inv_w != c.inv_w);
+  if (perspective || piece_) {
+    for (int i = 0; i < count; i += Batch::lanes) {
+      Batch w0 = Batch::load(b0 + i), w1 = Batch::load(b1 + i), w2 = Batch::load(b2 + i);
+      if (perspective) {
+        // Attributes over w, and 1/w, are linear on the screen; their quotient is the attribute.
+        w0 = w0 * Batch(a.inv_w), w1 = w1 * Batch(b.inv_w), w2 = w2 * Batch(c.inv_w);
+        const Batch w = Batch(1) / (w0 + w1 + w2);
+        w0 = w0 * w, w1 = w1 * w, w2 = w2 * w;
+      }
+      if (piece_) {
+        const auto& m = piece_->barycentric;
+        const auto in_source = [&](int vertex) {
+          return w0 * Batch(m[0][vertex]) + w1 * Batch(m[1][vertex]) + w2 * Batch(m[2][vertex]);
+        };
+        const Batch source_1 = in_source(1), source_2 = in_source(2);
+        w1 = source_1, w2 = source_2;
+      }
+      w1.store(b1 + i);
+      w2.store(b2 + i);
+    }
+  }
+  std::fill_n(span.weight + span.size, count, weight);
+  for (int i = 0; i < count; ++i) span.pixel[span.size + i] = pixel + std::uint32_t(i);
+  span.runs[span.run_count++] = {mesh_triangle_, std::uint16_t(span.size), std::uint16_t(count),
+                                 back_facing_};
+  span.size += count;
+}
+
+}  // namespace scanlit

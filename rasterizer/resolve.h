@@ -1,0 +1,161 @@
+// (8) Resolve: visible fragments, gathered into spans that are long enough for vector code.
+#pragma once
+
+#include <memory>
+
+#include "rasterizer/pipeline.h"
+
+namespace scanlit {
+
+/// The spans being filled, at most one per object. Spans are reused from tile to tile.
+class SpanCollector {
+ public:
+  /// The open span of a draw; a new one if it has none.
+  FragmentSpan& span_of(const Draw& draw);
+
+  /// Hands every open span to use(span) and closes it.
+  template <class Use>
+  void flush(const Use& use) {
+    for (const std::uint32_t index : open_) {
+      use(*spans_[index]);
+      unused_.push_back(std::move(spans_[index]));
+    }
+    open_.clear();
+  }
+
+ private:
+  std::vector<std::unique_ptr<FragmentSpan>> spans_;  // by Draw::index; null where not open
+  std::vector<std::uint32_t> open_;
+  std::vector<std::unique_ptr<FragmentSpan>> unused_;
+};
+
+/// What the fragments of one visible triangle have in common.
+class VisibleTriangle {
+ public:
+  VisibleTriangle(const Frame& frame, TriangleId id);
+
+  const Draw& draw() const { return *draw_; }
+
+  /// Whether a point on the screen, in 1/256 pixel, lies in the triangle or on its border.
+  bool holds(double x, double y) const;
+
+  /// Appends `count` fragments to a span that has room for them: pixels from `pixel` on, at screen
+  /// position (x, y) in 1/256 pixel and every 256 units to the right of it.
+  void append(double x, double y, int count, std::uint32_t pixel, float weight,
+              Interpolation interpolation, FragmentSpan& span) const;
+
+ private:
+  /// The edge functions whose share of twice_area is the screen-linear weight of corner 1 and of
+  /// corner 2. Exact where x and y are whole numbers: doubles hold them (see Viewport).
+  double edge_1(double x, double y) const {
+    const auto& [a, b, c] = triangle_.vertices;
+    return double(a.y - c.y) * (x - c.x) - double(a.x - c.x) * (y - c.y);
+  }
+  double edge_2(double x, double y) const {
+    const auto& [a, b, c] = triangle_.vertices;
+    return double(b.y - a.y) * (x - a.x) - double(b.x - a.x) * (y - a.y);
+  }
+
+  ScreenTriangle triangle_;
+  const Draw* draw_;
+  const ClippedTriangle* piece_;  // null where the triangle is whole
+  std::uint32_t mesh_triangle_;
+  bool back_facing_;
+};
+
+/// Gathers what is visible in a tile; calls shade(span) for every span that is full, and at the end
+/// for what is left.
+template <class Shade>
+class Resolver {
+ public:
+  Resolver(const Frame& frame, const VisibilityTile& visibility, SpanCollector& collector,
+           const Shade& shade)
+      : frame_(frame), visibility_(visibility), collector_(collector), shade_(shade) {}
+
+  void run() {
+    const Rect& rect = visibility_.rect;
+    for (int y = rect.y_begin; y < rect.y_end; ++y) {
+      for (int x = rect.x_begin; x < rect.x_end;) {
+        const TriangleId id = uniform_triangle(x, y);
+        if (id == mixed) {
+          split_pixel(x++, y);
+          continue;
+        }
+        const int begin = x++;
+        while (x < rect.x_end && uniform_triangle(x, y) == id) ++x;
+        if (id == no_triangle) continue;
+        const VisibleTriangle triangle(frame_, id);
+        append(triangle, begin * subpixel + half_pixel, y * subpixel + half_pixel, x - begin,
+               pixel(begin, y), 1.0f);
+      }
+    }
+    collector_.flush(shade_);
+  }
+
+ private:
+  static constexpr TriangleId mixed = no_triangle - 1;
+
+  std::uint32_t pixel(int x, int y) const {
+    return std::uint32_t(y) * std::uint32_t(frame_.viewport.width) + std::uint32_t(x);
+  }
+
+  TriangleId at(int sample, int x, int y) const {
+    return visibility_
+        .triangle[visibility_.row(sample, y) + std::size_t(x - visibility_.rect.x_begin)];
+  }
+
+  /// The one triangle that all of a pixel's samples see, no_triangle, or `mixed`. The centre is
+  /// then covered too: it lies in the samples' convex hull.
+  TriangleId uniform_triangle(int x, int y) const {
+    const TriangleId first = at(0, x, y);
+    for (int s = 1; s < visibility_.samples; ++s)
+      if (at(s, x, y) != first) return mixed;
+    return first;
+  }
+
+  /// One fragment for each triangle seen in a pixel, at the pixel's centre where the triangle
+  /// covers it, else at the centroid of the samples that see it: never outside the triangle, where
+  /// attributes would be extrapolated.
+  void split_pixel(int x, int y) {
+    const auto offsets = sample_offsets(visibility_.samples);
+    const double centre_x = x * subpixel + half_pixel, centre_y = y * subpixel + half_pixel;
+    for (int s = 0; s < visibility_.samples; ++s) {
+      const TriangleId id = at(s, x, y);
+      int first = 0;
+      while (at(first, x, y) != id) ++first;
+      if (first < s || id == no_triangle) continue;  // done before, or the background
+      int count = 0;
+      double sum_x = 0, sum_y = 0;
+      for (int i = s; i < visibility_.samples; ++i) {
+        if (at(i, x, y) != id) continue;
+        ++count, sum_x += offsets[std::size_t(i)].x, sum_y += offsets[std::size_t(i)].y;
+      }
+      const VisibleTriangle triangle(frame_, id);
+      const bool centred = triangle.holds(centre_x, centre_y);
+      append(triangle, centre_x + (centred ? 0 : sum_x / count),
+             centre_y + (centred ? 0 : sum_y / count), 1, pixel(x, y),
+             float(count) / float(visibility_.samples));
+    }
+  }
+
+  void append(const VisibleTriangle& triangle, double x, double y, int count, std::uint32_t pixel,
+              float weight) {
+    while (count > 0) {
+      FragmentSpan& span = collector_.span_of(triangle.draw());
+      const int part = std::min(count, FragmentSpan::capacity - span.size);
+      triangle.append(x, y, part, pixel, weight, frame_.settings.interpolation, span);
+      x += double(part) * subpixel, pixel += std::uint32_t(part), count -= part;
+      if (span.size == FragmentSpan::capacity) {
+        shade_(span);
+        span.size = span.run_count = 0;
+      }
+    }
+  }
+
+  const Frame& frame_;
+  const VisibilityTile& visibility_;
+  SpanCollector& collector_;
+  const Shade& shade_;
+};
+
+}  // namespace scanlit

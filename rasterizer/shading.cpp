@@ -1,0 +1,232 @@
+#include "rasterizer/shading.h"
+
+#include <glm/geometric.hpp>
+
+#include "rasterizer/batch.h"
+#include "rasterizer/scalar_math.h"
+
+namespace scanlit {
+
+namespace {
+
+/// One attribute over one run: a0 + b1 (a1 - a0) + b2 (a2 - a0), times `sign`. `corner` points at
+/// the attribute in each corner of the triangle. Writes whole vectors: what lands beyond the run is
+/// overwritten by the next one.
+void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
+                 float sign, float* out) {
+  const float a0 = sign * corner[0][0];
+  const Batch base(a0), d1(sign * corner[1][0] - a0), d2(sign * corner[2][0] - a0);
+  for (int i = run.first; i < run.first + run.size; i += Batch::lanes)
+    mul_add(Batch::load(span.b2 + i), d2, mul_add(Batch::load(span.b1 + i), d1, base))
+        .store(out + i);
+}
+
+struct Corners {
+  std::size_t vertex[3];
+
+  Corners(const Mesh& mesh, std::uint32_t triangle) {
+    for (std::size_t i = 0; i < 3; ++i) vertex[i] = mesh.indices[3 * std::size_t(triangle) + i];
+  }
+};
+
+/// The face's plane, as a point and a normal.
+std::pair<glm::vec3, glm::vec3> face(const Mesh& mesh, std::uint32_t triangle) {
+  const Corners corners(mesh, triangle);
+  const glm::dvec3 a(mesh.positions[corners.vertex[0]]), b(mesh.positions[corners.vertex[1]]),
+      c(mesh.positions[corners.vertex[2]]);
+  // In double: the product of two edges of a very small face leaves float.
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double length = glm::length(normal);
+  return {(a + b + c) / 3.0, length > 0 ? normal / length : glm::dvec3(0)};
+}
+
+void put(SurfaceSpan& surface, int i, const glm::vec3& position, const glm::vec3& normal,
+         const glm::vec2& texcoord) {
+  for (int c = 0; c < 3; ++c)
+    surface.position[c][i] = position[c], surface.normal[c][i] = normal[c];
+  for (int c = 0; c < 2; ++c) surface.texcoord[c][i] = texcoord[c];
+}
+
+constexpr std::uint8_t seen_from_behind = 2;  // in LitSites::needed of a flat object
+
+/// Site `site` of a flat or Gouraud object, as the surface point it stands for.
+void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
+              SurfaceSpan& surface) {
+  const Mesh& mesh = *draw.mesh;
+  if (draw.object->shading == Shading::flat) {
+    const auto [centroid, normal] = face(mesh, std::uint32_t(site));
+    glm::vec2 texcoord(0);
+    if (!mesh.texcoords.empty())
+      for (const std::size_t v : Corners(mesh, std::uint32_t(site)).vertex)
+        texcoord += mesh.texcoords[v] / 3.0f;
+    put(surface, i, centroid, sites.needed[site] == seen_from_behind ? -normal : normal, texcoord);
+  } else {
+    const std::size_t count = mesh.positions.size();
+    const std::size_t v = site % count;
+    put(surface, i, mesh.positions[v], site < count ? mesh.normals[v] : -mesh.normals[v],
+        mesh.texcoords.empty() ? glm::vec2(0) : mesh.texcoords[v]);
+  }
+}
+
+/// A lit site's colour, with its parts where sites have room for them. Clamped, if asked for, so
+/// that the parts still add up to the colour.
+void store_site(const LitSpan& lit, int i, const Rgb<float>& ambient, bool clamped, LitSites& sites,
+                std::size_t site) {
+  float* value = &sites.values[site * std::size_t(sites.channels)];
+  const float ambients[3] = {ambient.r, ambient.g, ambient.b};
+  for (int c = 0; c < 3; ++c) {
+    float diffuse = lit.diffuse[c][i], glossy = lit.glossy[c][i];
+    if (clamped) {
+      diffuse = min(diffuse, max(1.0f - ambients[c], 0.0f));
+      glossy = min(glossy, max((1.0f - ambients[c]) - diffuse, 0.0f));
+    }
+    value[LitSites::colour + c] = ambients[c] + (diffuse + glossy);
+    if (sites.channels == 3) continue;
+    value[LitSites::diffuse + c] = diffuse;
+    value[LitSites::glossy + c] = glossy;
+  }
+}
+
+}  // namespace
+
+LitSites make_sites(const Draw& draw, bool parts) {
+  LitSites sites;
+  if (draw.object->shading == Shading::phong) return sites;
+  const std::size_t count = draw.object->shading == Shading::flat
+                                ? draw.mesh->triangle_count()
+                                : draw.mesh->positions.size() * (draw.draw_back_faces ? 2 : 1);
+  sites.channels = parts ? 9 : 3;
+  sites.needed.resize(count);
+  sites.values.resize(count * std::size_t(sites.channels));
+  return sites;
+}
+
+void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::size_t end,
+                 LitSites& sites, FrameStats& stats) {
+  const Rgb<float> ambient = ambient_radiance(frame.scene, draw.object->material);
+  SurfaceSpan surface;
+  LitSpan lit;
+  std::size_t gathered[SurfaceSpan::capacity];
+  const auto flush = [&] {
+    light(frame, draw, surface, lit, stats);
+    for (int i = 0; i < surface.size; ++i)
+      store_site(lit, i, ambient, frame.settings.clamp_vertex_colours, sites, gathered[i]);
+    surface.size = 0;
+  };
+  for (std::size_t site = begin; site < end; ++site) {
+    if (!sites.needed[site]) continue;
+    gathered[surface.size] = site;
+    put_site(draw, sites, site, surface.size++, surface);
+    if (surface.size == SurfaceSpan::capacity) flush();
+  }
+  if (surface.size > 0) flush();
+}
+
+// ------------------------------------------------- the one place where the three shadings differ
+
+void SpanShader::shade(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer) {
+  const bool parts = !framebuffer.ambient.empty();
+  switch (span.draw->object->shading) {
+    case Shading::flat:
+      flat(frame, span, parts);
+      break;  // evaluated once per face
+    case Shading::gouraud:
+      gouraud(frame, span, parts);
+      break;  // at vertices; colour interpolated
+    case Shading::phong:
+      phong(frame, span, parts);
+      break;  // normal interpolated; per fragment
+  }
+  stats.fragments += span.size;
+  write(span, ambient_radiance(frame.scene, span.draw->object->material), framebuffer);
+}
+
+void SpanShader::phong(const Frame& frame, const FragmentSpan& span, bool) {
+  interpolate_surface(span);
+  light(frame, *span.draw, surface_, lit_, stats);
+  const Rgb<float> ambient = ambient_radiance(frame.scene, span.draw->object->material);
+  const Batch ambients[3] = {ambient.r, ambient.g, ambient.b};
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < span.size; i += Batch::lanes)
+      (ambients[c] + (Batch::load(lit_.diffuse[c] + i) + Batch::load(lit_.glossy[c] + i)))
+          .store(colour_[c] + i);
+}
+
+void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool parts) {
+  const LitSites& sites = frame.lit_sites[span.draw->index];
+  for (int r = 0; r < span.run_count; ++r) {
+    const Run& run = span.runs[r];
+    const float* corner[3];
+    for (int k = 0; k < 3; ++k) {
+      const auto site = vertex_site(*span.draw, run.triangle, k, run.back_facing);
+      corner[k] = &sites.values[site * std::size_t(sites.channels)];
+    }
+    const auto channel = [&](int c, float* out) {
+      interpolate(span, run, {corner[0] + c, corner[1] + c, corner[2] + c}, 1, out);
+    };
+    for (int c = 0; c < 3; ++c) {
+      channel(LitSites::colour + c, colour_[c]);
+      if (!parts) continue;
+      channel(LitSites::diffuse + c, lit_.diffuse[c]);
+      channel(LitSites::glossy + c, lit_.glossy[c]);
+    }
+  }
+}
+
+void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) {
+  const LitSites& sites = frame.lit_sites[span.draw->index];
+  for (int r = 0; r < span.run_count; ++r) {
+    const Run& run = span.runs[r];
+    const float* value = &sites.values[run.triangle * std::size_t(sites.channels)];
+    for (int c = 0; c < 3; ++c) {
+      std::fill_n(colour_[c] + run.first, run.size, value[LitSites::colour + c]);
+      if (!parts) continue;
+      std::fill_n(lit_.diffuse[c] + run.first, run.size, value[LitSites::diffuse + c]);
+      std::fill_n(lit_.glossy[c] + run.first, run.size, value[LitSites::glossy + c]);
+    }
+  }
+}
+
+// -------------------------------------------------------------------------------------------------
+
+void SpanShader::interpolate_surface(const FragmentSpan& span) {
+  const Mesh& mesh = *span.draw->mesh;
+  const bool texcoords =
+      !mesh.texcoords.empty() && span.draw->object->material.model->needs().surface_point;
+  for (int r = 0; r < span.run_count; ++r) {
+    const Run& run = span.runs[r];
+    const auto [v] = Corners(mesh, run.triangle);
+    const auto attribute = [&](const auto& values, int c, float sign, float* out) {
+      interpolate(span, run, {&values[v[0]][c], &values[v[1]][c], &values[v[2]][c]}, sign, out);
+    };
+    const float side = run.back_facing ? -1.0f : 1.0f;
+    for (int c = 0; c < 3; ++c) {
+      attribute(mesh.positions, c, 1, surface_.position[c]);
+      attribute(mesh.normals, c, side, surface_.normal[c]);
+    }
+    for (int c = 0; c < 2 && texcoords; ++c) attribute(mesh.texcoords, c, 1, surface_.texcoord[c]);
+  }
+  surface_.size = span.size;
+}
+
+void SpanShader::write(const FragmentSpan& span, const Rgb<float>& ambient,
+                       Framebuffer& framebuffer) const {
+  for (int i = 0; i < span.size; ++i) {
+    const float weight = span.weight[i];
+    float* pixel = &framebuffer.colour[4 * std::size_t(span.pixel[i])];
+    for (int c = 0; c < 3; ++c) pixel[c] += weight * colour_[c][i];
+    pixel[3] += weight;
+  }
+  if (framebuffer.ambient.empty()) return;
+  const float ambients[3] = {ambient.r, ambient.g, ambient.b};
+  for (int i = 0; i < span.size; ++i) {
+    const std::size_t pixel = 3 * std::size_t(span.pixel[i]);
+    for (std::size_t c = 0; c < 3; ++c) {
+      framebuffer.ambient[pixel + c] += span.weight[i] * ambients[c];
+      framebuffer.diffuse[pixel + c] += span.weight[i] * lit_.diffuse[c][i];
+      framebuffer.glossy[pixel + c] += span.weight[i] * lit_.glossy[c][i];
+    }
+  }
+}
+
+}  // namespace scanlit

@@ -1,0 +1,35 @@
+// (9) Shading: what flat, Gouraud and Phong are, and where the difference between them lies.
+#pragma once
+
+#include "rasterizer/lighting.h"
+
+namespace scanlit {
+
+/// Makes room for a draw's sites (none for Phong).
+LitSites make_sites(const Draw& draw, bool parts);
+
+/// Flat and Gouraud: evaluates the reflection model at the sites [begin, end) that are needed.
+void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::size_t end,
+                 LitSites& sites, FrameStats& stats);
+
+/// Colours a span of fragments and adds it, weighted by coverage, to the framebuffer. Not copied,
+/// and one a thread: it holds the arrays that all its spans are shaded in.
+class SpanShader {
+ public:
+  void shade(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer);
+
+  FrameStats stats;
+
+ private:
+  void interpolate_surface(const FragmentSpan& span);
+  void phong(const Frame& frame, const FragmentSpan& span, bool parts);
+  void gouraud(const Frame& frame, const FragmentSpan& span, bool parts);
+  void flat(const Frame& frame, const FragmentSpan& span, bool parts);
+  void write(const FragmentSpan& span, const Rgb<float>& ambient, Framebuffer& framebuffer) const;
+
+  SurfaceSpan surface_;
+  LitSpan lit_;  // parts; of flat and Gouraud, only where asked for
+  float colour_[3][SurfaceSpan::padded] = {};
+};
+
+}  // namespace scanlit
