@@ -1,6 +1,5 @@
 #include "lessons/studio/program.h"
 
-#include <csignal>
 #include <iostream>
 #include <new>
 #include <string>
@@ -24,6 +23,11 @@ int fail(int exit_code, const std::string& message) {
   return exit_code;
 }
 
+int finish() {
+  if (!std::cout.flush()) throw Error("cannot write to standard output");
+  return 0;
+}
+
 /// The command that the command line named, or the program itself.
 const CLI::App& chosen(const CLI::App& app) {
   const auto commands = app.get_subcommands();
@@ -34,11 +38,12 @@ std::string full_name(const CLI::App& app) {
   return (app.get_parent() ? full_name(*app.get_parent()) + " " : "") + app.get_name();
 }
 
+std::string see_help(const CLI::App& app) { return "; see " + full_name(app) + " --help"; }
+
 /// What CLI11 calls "not expected", with what may have been meant.
 std::string explain_unexpected(const CLI::App& app) {
   const CLI::App& command = chosen(app);
   const std::string word = app.remaining(true).front();
-  const std::string help = "; see " + full_name(command) + " --help";
   std::vector<std::string> candidates;
   std::string kind = "unexpected argument";
   if (word.starts_with("-")) {
@@ -52,10 +57,9 @@ std::string explain_unexpected(const CLI::App& app) {
   const std::string guess =
       candidates.empty() ? "" : did_you_mean(word.substr(0, word.find('=')), candidates);
   // A list of all options is no help in one line.
-  return kind + " '" + word + "'" + (guess.starts_with("; did") ? guess : help);
+  return kind + " '" + word + "'" + (guess.starts_with("; did") ? guess : see_help(command));
 }
 
-constexpr int held_signals[] = {SIGINT, SIGTERM, SIGHUP};
 volatile std::sig_atomic_t held_signal = 0;
 extern "C" void remember_signal(int signal_number) { held_signal = signal_number; }
 
@@ -67,13 +71,17 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<void()
       app.parse(argc, argv);
     } catch (const CLI::ExtrasError&) {
       throw Error(explain_unexpected(app));
+    } catch (const CLI::CallForHelp&) {
+      std::cout << CLI::detail::find_and_replace(app.help(), "\n\n\n", "\n\n");
+      return finish();
+    } catch (const CLI::Success& success) {  // --version
+      std::cout << success.what() << '\n';
+      return finish();
     } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() == 0) return app.exit(error);  // --help and --version
-      throw Error(error.what());
+      throw Error(error.what() + see_help(chosen(app)));
     }
     action();
-    if (!std::cout.flush()) throw Error("cannot write to standard output");
-    return 0;
+    return finish();
   } catch (const Error& error) {
     return fail(exit_bad_input, error.what());
   } catch (const std::bad_alloc&) {
@@ -86,11 +94,12 @@ int run_program(CLI::App& app, int argc, char** argv, const std::function<void()
 }
 
 HoldInterrupts::HoldInterrupts() {
-  for (int signal_number : held_signals) std::signal(signal_number, remember_signal);
+  for (std::size_t i = 0; i < held_signals.size(); ++i)
+    before_[i] = std::signal(held_signals[i], remember_signal);
 }
 
 HoldInterrupts::~HoldInterrupts() {
-  for (int signal_number : held_signals) std::signal(signal_number, SIG_DFL);
+  for (std::size_t i = 0; i < held_signals.size(); ++i) std::signal(held_signals[i], before_[i]);
   if (held_signal != 0) std::raise(held_signal);
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <array>
+#include <csignal>
 #include <functional>
 
 namespace scanlit::studio {
@@ -23,6 +25,10 @@ class HoldInterrupts {
   ~HoldInterrupts();
   HoldInterrupts(const HoldInterrupts&) = delete;
   HoldInterrupts& operator=(const HoldInterrupts&) = delete;
+
+ private:
+  static constexpr std::array held_signals{SIGINT, SIGTERM, SIGHUP};
+  std::array<void (*)(int), held_signals.size()> before_;
 };
 
 /// "warning: ..." and "note: ...", one line each, on stderr.

@@ -51,7 +51,8 @@ void report_picture(const RenderOptions& options, const Picture& picture, const 
          text_of(fitting_exposure(framebuffer, picture.image.exposure_ev)) +
          " would keep them all");
   std::cout << options.output_file().string() << ": " << picture.width << " x " << picture.height
-            << " pixels, " << grouped(stats.triangles) << " triangles, "
+            << " pixels, " << grouped(stats.triangles)
+            << (stats.triangles == 1 ? " triangle, " : " triangles, ")
             << std::max(1L, std::lround(1e3 * stats.wall_seconds)) << " ms\n";
   if (!options.aov.empty()) std::cout << options.aov << ": depth, normals, ids and parts\n";
   if (options.stats) print_stats(std::cout, stats);

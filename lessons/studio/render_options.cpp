@@ -153,7 +153,7 @@ const Edit all_edits[] = {
 };
 
 Description describe_input(const std::string& input) {
-  if (input.empty()) throw Error("no INPUT: a mesh file, a shape or a scene; see render --help");
+  if (input.empty()) throw Error("INPUT", "the name is empty");
   if (!is_shape(input) && std::filesystem::path(input).extension() == ".toml")
     return read_scene_file(input);
   return describe_object(input);
@@ -163,7 +163,8 @@ Description describe_input(const std::string& input) {
 
 void add_render_options(CLI::App& app, RenderOptions& options) {
   app.add_option("INPUT", options.input, "mesh file, built-in shape (teapot:16) or scene (.toml)")
-      ->type_name("");
+      ->type_name("")
+      ->required();
   app.add_option("-o,--output", options.output, "picture; its suffix is its format (INPUT.png)")
       ->type_name("FILE");
   app.add_option("--aov", options.aov, "an EXR with depth, normals, ids and the parts of the light")

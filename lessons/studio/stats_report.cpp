@@ -61,7 +61,7 @@ void print_shading(std::ostream& out, const FrameStats& stats) {
   print_row(out, "vertices", grouped(stats.vertices), "", "");
   print_row(out, "covered pixels", grouped(stats.covered_pixels), "", "");
   print_row(out, "fragments", grouped(stats.fragments), "",
-            "shaded: what is visible, once per triangle in a pixel");
+            "shaded: once per triangle visible in a pixel");
   print_row(out, "model evaluations", grouped(stats.evaluations), "", "points times lights");
   print_row(out, "spans", grouped(stats.spans), "", "virtual calls in which they were made");
   if (stats.spans > 0)

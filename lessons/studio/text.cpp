@@ -42,8 +42,11 @@ std::string quoted(std::string_view text) { return "'" + std::string(text) + "'"
 }  // namespace
 
 std::string text_of(double value) {
-  char buffer[32];
-  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
+  char buffer[64];
+  const double size = std::abs(value);  // 100000, not 1e+05; but 1e+12
+  const auto format = size == 0 || (size >= 1e-4 && size < 1e9) ? std::chars_format::fixed
+                                                                : std::chars_format::general;
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, format).ptr};
 }
 
 std::string text_of(const Rgb<double>& colour) {
@@ -58,7 +61,8 @@ std::string grouped(std::int64_t count) {
 }
 
 double in_range(const std::string& where, double value, const Range& range) {
-  if (!(value >= range.min && value <= range.max))
+  if (!std::isfinite(value)) throw Error(where, text_of(value) + " is not a finite number");
+  if (value < range.min || value > range.max)
     throw Error(where, text_of(value) + " is out of range; allowed is " + text_of(range.min) +
                            " to " + text_of(range.max));
   return value;
