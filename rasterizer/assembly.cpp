@@ -51,14 +51,15 @@ Fate bin(const Frame& frame, const Draw& draw, TriangleId id, const ScreenTriang
 
 /// Flat and Gouraud: the sites whose colour a drawn triangle will ask for.
 void mark_sites(const Draw& draw, std::uint32_t triangle, bool back_facing, LitSites& sites) {
-  const auto mark = [&](std::size_t site) {
+  const auto mark = [&](std::size_t site, std::uint8_t how) {
     // Chunks share vertices, so two threads may mark one site.
-    std::atomic_ref<std::uint8_t>(sites.needed[site]).store(1, std::memory_order_relaxed);
+    std::atomic_ref<std::uint8_t>(sites.needed[site]).store(how, std::memory_order_relaxed);
   };
-  if (draw.object->shading == Shading::flat) mark(triangle);
+  if (draw.object->shading == Shading::flat)
+    mark(triangle, back_facing ? LitSites::from_behind : LitSites::from_front);
   if (draw.object->shading == Shading::gouraud)
     for (int corner = 0; corner < 3; ++corner)
-      mark(vertex_site(draw, triangle, corner, back_facing));
+      mark(vertex_site(draw, triangle, corner, back_facing), LitSites::from_front);
 }
 
 }  // namespace

@@ -194,4 +194,9 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
   }
 }
 
+void place_normals(const Frame& frame, const Draw& draw, SurfaceSpan& surface) {
+  Directions unused;
+  place(frame, draw, surface, unused, {});
+}
+
 }  // namespace scanlit

@@ -173,8 +173,10 @@ struct Chunk {
 /// back faces are drawn, vertex v seen from behind is site v + vertex count). Phong has none.
 struct LitSites {
   static constexpr int colour = 0, diffuse = 3, glossy = 6;  // first channel of each
-  int channels = 3;                  // colour alone, or with its diffuse and glossy parts
-  std::vector<std::uint8_t> needed;  // by a triangle that is drawn
+  int channels = 3;  // colour alone, or with its diffuse and glossy parts
+  static constexpr std::uint8_t from_front = 1, from_behind = 2;
+  std::vector<std::uint8_t> needed;  // 0, or how a triangle that is drawn needs it; from_behind is
+                                     // for faces only: their normal is flipped
   std::vector<float> values;         // channels a site
 };
 

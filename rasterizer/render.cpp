@@ -147,6 +147,7 @@ void light_all_sites(Frame& frame, Workers& workers) {
 /// Depth and ids of sample 0, where the framebuffer asks for them.
 void write_visibility(const Frame& frame, const VisibilityTile& visibility,
                       Framebuffer& framebuffer) {
+  if (framebuffer.depth.empty() && framebuffer.object_id.empty()) return;
   const Rect& r = visibility.rect;
   for (int y = r.y_begin; y < r.y_end; ++y) {
     const std::size_t row = visibility.row(0, y);
@@ -163,27 +164,48 @@ void write_visibility(const Frame& frame, const VisibilityTile& visibility,
   }
 }
 
-/// Puts the background behind what is covered in part or not at all, and counts what is covered.
-std::int64_t finish_tile(const Frame& frame, const Rect& r, Framebuffer& framebuffer) {
-  const Rgb<double>& b = frame.scene.background;
-  const float background[3] = {float(b.r), float(b.g), float(b.b)};
-  std::int64_t covered = 0;
-  for (int y = r.y_begin; y < r.y_end; ++y)
-    for (int x = r.x_begin; x < r.x_end; ++x) {
-      float* pixel =
-          &framebuffer
-               .colour[4 * (std::size_t(y) * std::size_t(framebuffer.width) + std::size_t(x))];
-      covered += pixel[3] > 0;
-      for (int c = 0; c < 3; ++c) pixel[c] += (1 - pixel[3]) * background[c];
-    }
-  return covered;
+/// A tile of a plane whose pixels have `channels` elements, row by row.
+template <class Element, class Use>
+void for_each_row(const Rect& r, const Framebuffer& framebuffer, std::vector<Element>& plane,
+                  std::size_t channels, const Use& use) {
+  if (plane.empty()) return;
+  for (int y = r.y_begin; y < r.y_end; ++y) {
+    const std::size_t first =
+        std::size_t(y) * std::size_t(framebuffer.width) + std::size_t(r.x_begin);
+    use(std::span(&plane[channels * first], channels * std::size_t(r.x_end - r.x_begin)));
+  }
+}
+
+void clear(const Rect& r, Framebuffer& f) {
+  const auto fill = [&](auto& plane, std::size_t channels, auto value) {
+    for_each_row(r, f, plane, channels,
+                 [&](auto row) { std::fill(row.begin(), row.end(), value); });
+  };
+  fill(f.colour, 4, 0.0f);
+  fill(f.depth, 1, 0.0f);
+  fill(f.normal, 3, 0.0f);
+  fill(f.object_id, 1, no_id);
+  fill(f.triangle_id, 1, no_id);
+  for (auto* part : {&f.ambient, &f.diffuse, &f.glossy}) fill(*part, 3, 0.0f);
+}
+
+/// Puts the background behind what is covered in part or not at all.
+void add_background(const Rgb<double>& background, const Rect& r, Framebuffer& framebuffer) {
+  if (background == Rgb<double>(0.0)) return;
+  const float channels[3] = {float(background.r), float(background.g), float(background.b)};
+  for_each_row(r, framebuffer, framebuffer.colour, 4, [&](std::span<float> row) {
+    for (std::size_t i = 0; i < row.size(); i += 4)
+      for (std::size_t c = 0; c < 3; ++c) row[i + c] += (1 - row[i + 3]) * channels[c];
+  });
 }
 
 void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& framebuffer) {
   FrameStats& stats = worker.shader.stats;
+  const Rect rect = frame.grid.tile(tile);
   {
     const StageTimer timer(stats, Stage::scan_conversion);
-    worker.visibility.reset(frame.grid.tile(tile), frame.settings.samples);
+    clear(rect, framebuffer);
+    worker.visibility.reset(rect, frame.settings.samples);
     scan_convert(frame, tile, worker.visibility);
   }
   const double shading_before = stats.seconds[std::size_t(Stage::shading)];
@@ -193,9 +215,9 @@ void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& frameb
       const StageTimer shading_timer(stats, Stage::shading);
       worker.shader.shade(frame, span, framebuffer);
     };
-    Resolver(frame, worker.visibility, worker.collector, shade).run();
+    stats.covered_pixels += Resolver(frame, worker.visibility, worker.collector, shade).run();
     write_visibility(frame, worker.visibility, framebuffer);
-    stats.covered_pixels += finish_tile(frame, worker.visibility.rect, framebuffer);
+    add_background(frame.scene.background, rect, framebuffer);
   }
   // Spans are shaded while resolving: that time is not resolving's.
   stats.seconds[std::size_t(Stage::resolve)] -=
@@ -260,9 +282,8 @@ FrameStats render(const Scene& scene, const Camera& camera, const RenderSettings
   validate(scene);
   validate(camera);
   validate(settings);
+  validate_size(framebuffer.width, framebuffer.height);
   const Viewport viewport{framebuffer.width, framebuffer.height};
-  // A new one, so that its construction is what checks the size and clears.
-  framebuffer = Framebuffer(viewport.width, viewport.height, framebuffer.planes());
 
   Frame frame{.scene = scene,
               .camera = camera,

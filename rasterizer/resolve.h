@@ -72,24 +72,17 @@ class Resolver {
            const Shade& shade)
       : frame_(frame), visibility_(visibility), collector_(collector), shade_(shade) {}
 
-  void run() {
+  /// Returns the number of pixels that are covered, in whole or in part.
+  std::int64_t run() {
     const Rect& rect = visibility_.rect;
     for (int y = rect.y_begin; y < rect.y_end; ++y) {
-      for (int x = rect.x_begin; x < rect.x_end;) {
-        const TriangleId id = uniform_triangle(x, y);
-        if (id == mixed) {
-          split_pixel(x++, y);
-          continue;
-        }
-        const int begin = x++;
-        while (x < rect.x_end && uniform_triangle(x, y) == id) ++x;
-        if (id == no_triangle) continue;
-        const VisibleTriangle triangle(frame_, id);
-        append(triangle, begin * subpixel + half_pixel, y * subpixel + half_pixel, x - begin,
-               pixel(begin, y), 1.0f);
-      }
+      if (visibility_.samples == 1)
+        resolve_row(y, [row = sample_row(0, y)](int x) { return row[x]; });
+      else
+        resolve_row(y, [this, y](int x) { return uniform_triangle(x, y); });
     }
     collector_.flush(shade_);
+    return covered_pixels_;
   }
 
  private:
@@ -99,17 +92,36 @@ class Resolver {
     return std::uint32_t(y) * std::uint32_t(frame_.viewport.width) + std::uint32_t(x);
   }
 
-  TriangleId at(int sample, int x, int y) const {
-    return visibility_
-        .triangle[visibility_.row(sample, y) + std::size_t(x - visibility_.rect.x_begin)];
+  /// Indexed by the pixel's column in the picture.
+  const TriangleId* sample_row(int sample, int y) const {
+    return visibility_.triangle.data() + visibility_.row(sample, y) - visibility_.rect.x_begin;
+  }
+
+  /// Cuts a row into runs of one triangle. `triangle_at(x)` is what pixel x sees.
+  template <class TriangleAt>
+  void resolve_row(int y, const TriangleAt& triangle_at) {
+    const int end = visibility_.rect.x_end;
+    for (int x = visibility_.rect.x_begin; x < end;) {
+      const TriangleId id = triangle_at(x);
+      const int begin = x++;
+      if (id == no_triangle) continue;
+      if (id == mixed) {
+        split_pixel(begin, y);
+        continue;
+      }
+      while (x < end && triangle_at(x) == id) ++x;
+      covered_pixels_ += x - begin;
+      append(VisibleTriangle(frame_, id), begin * subpixel + half_pixel, y * subpixel + half_pixel,
+             x - begin, pixel(begin, y), 1.0f);
+    }
   }
 
   /// The one triangle that all of a pixel's samples see, no_triangle, or `mixed`. The centre is
   /// then covered too: it lies in the samples' convex hull.
   TriangleId uniform_triangle(int x, int y) const {
-    const TriangleId first = at(0, x, y);
+    const TriangleId first = sample_row(0, y)[x];
     for (int s = 1; s < visibility_.samples; ++s)
-      if (at(s, x, y) != first) return mixed;
+      if (sample_row(s, y)[x] != first) return mixed;
     return first;
   }
 
@@ -117,17 +129,18 @@ class Resolver {
   /// covers it, else at the centroid of the samples that see it: never outside the triangle, where
   /// attributes would be extrapolated.
   void split_pixel(int x, int y) {
+    ++covered_pixels_;
     const auto offsets = sample_offsets(visibility_.samples);
     const double centre_x = x * subpixel + half_pixel, centre_y = y * subpixel + half_pixel;
     for (int s = 0; s < visibility_.samples; ++s) {
-      const TriangleId id = at(s, x, y);
+      const TriangleId id = sample_row(s, y)[x];
       int first = 0;
-      while (at(first, x, y) != id) ++first;
+      while (sample_row(first, y)[x] != id) ++first;
       if (first < s || id == no_triangle) continue;  // done before, or the background
       int count = 0;
       double sum_x = 0, sum_y = 0;
       for (int i = s; i < visibility_.samples; ++i) {
-        if (at(i, x, y) != id) continue;
+        if (sample_row(i, y)[x] != id) continue;
         ++count, sum_x += offsets[std::size_t(i)].x, sum_y += offsets[std::size_t(i)].y;
       }
       const VisibleTriangle triangle(frame_, id);
@@ -156,6 +169,7 @@ class Resolver {
   const VisibilityTile& visibility_;
   SpanCollector& collector_;
   const Shade& shade_;
+  std::int64_t covered_pixels_ = 0;
 };
 
 }  // namespace scanlit

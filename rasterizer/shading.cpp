@@ -47,8 +47,6 @@ void put(SurfaceSpan& surface, int i, const glm::vec3& position, const glm::vec3
   for (int c = 0; c < 2; ++c) surface.texcoord[c][i] = texcoord[c];
 }
 
-constexpr std::uint8_t seen_from_behind = 2;  // in LitSites::needed of a flat object
-
 /// Site `site` of a flat or Gouraud object, as the surface point it stands for.
 void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
               SurfaceSpan& surface) {
@@ -59,7 +57,8 @@ void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
     if (!mesh.texcoords.empty())
       for (const std::size_t v : Corners(mesh, std::uint32_t(site)).vertex)
         texcoord += mesh.texcoords[v] / 3.0f;
-    put(surface, i, centroid, sites.needed[site] == seen_from_behind ? -normal : normal, texcoord);
+    put(surface, i, centroid, sites.needed[site] == LitSites::from_behind ? -normal : normal,
+        texcoord);
   } else {
     const std::size_t count = mesh.positions.size();
     const std::size_t v = site % count;
@@ -134,14 +133,15 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, Framebuffer
       gouraud(frame, span, parts);
       break;  // at vertices; colour interpolated
     case Shading::phong:
-      phong(frame, span, parts);
+      phong(frame, span);
       break;  // normal interpolated; per fragment
   }
   stats.fragments += span.size;
   write(span, ambient_radiance(frame.scene, span.draw->object->material), framebuffer);
+  if (!framebuffer.normal.empty()) write_normals(frame, span, framebuffer);
 }
 
-void SpanShader::phong(const Frame& frame, const FragmentSpan& span, bool) {
+void SpanShader::phong(const Frame& frame, const FragmentSpan& span) {
   interpolate_surface(span);
   light(frame, *span.draw, surface_, lit_, stats);
   const Rgb<float> ambient = ambient_radiance(frame.scene, span.draw->object->material);
@@ -227,6 +227,25 @@ void SpanShader::write(const FragmentSpan& span, const Rgb<float>& ambient,
       framebuffer.glossy[pixel + c] += span.weight[i] * lit_.glossy[c][i];
     }
   }
+}
+
+void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
+                               Framebuffer& framebuffer) {
+  const Shading shading = span.draw->object->shading;
+  if (shading != Shading::phong) {  // which has them already
+    interpolate_surface(span);
+    for (int r = 0; r < span.run_count && shading == Shading::flat; ++r) {
+      const Run& run = span.runs[r];
+      const glm::vec3 normal =
+          face(*span.draw->mesh, run.triangle).second * (run.back_facing ? -1.0f : 1.0f);
+      for (int c = 0; c < 3; ++c) std::fill_n(surface_.normal[c] + run.first, run.size, normal[c]);
+    }
+    place_normals(frame, *span.draw, surface_);
+  }
+  for (int i = 0; i < span.size; ++i)
+    for (int c = 0; c < 3; ++c)
+      framebuffer.normal[3 * std::size_t(span.pixel[i]) + std::size_t(c)] +=
+          span.weight[i] * surface_.normal[c][i];
 }
 
 }  // namespace scanlit
