@@ -26,18 +26,12 @@ struct Polygon {
 /// Signed distance to a plane, in units of w: positive inside.
 double distance(const Corner& c, Outside plane, double guard_x, double guard_y) {
   switch (plane) {
-    case outside_near:
-      return c.w - c.z;
-    case outside_far:
-      return c.z;
-    case outside_left:
-      return guard_x * c.w + c.x;
-    case outside_right:
-      return guard_x * c.w - c.x;
-    case outside_bottom:
-      return guard_y * c.w + c.y;
-    default:
-      return guard_y * c.w - c.y;
+    case outside_near: return c.w - c.z;
+    case outside_far: return c.z;
+    case outside_left: return guard_x * c.w + c.x;
+    case outside_right: return guard_x * c.w - c.x;
+    case outside_bottom: return guard_y * c.w + c.y;
+    default: return guard_y * c.w - c.y;
   }
 }
 

@@ -165,14 +165,10 @@ std::span<const SampleOffset> sample_offsets(int samples) {
                                              {-32, 96},  {0, -112},  {-64, -96}, {-96, 64},
                                              {-128, 0},  {112, -64}, {96, 112},  {-112, -128}};
   switch (samples) {
-    case 4:
-      return four;
-    case 8:
-      return eight;
-    case 16:
-      return sixteen;
-    default:
-      return one;
+    case 4: return four;
+    case 8: return eight;
+    case 16: return sixteen;
+    default: return one;
   }
 }
 

@@ -126,15 +126,9 @@ void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::s
 void SpanShader::shade(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer) {
   const bool parts = !framebuffer.ambient.empty();
   switch (span.draw->object->shading) {
-    case Shading::flat:
-      flat(frame, span, parts);
-      break;  // evaluated once per face
-    case Shading::gouraud:
-      gouraud(frame, span, parts);
-      break;  // at vertices; colour interpolated
-    case Shading::phong:
-      phong(frame, span);
-      break;  // normal interpolated; per fragment
+    case Shading::flat: flat(frame, span, parts); break;        // evaluated once per face
+    case Shading::gouraud: gouraud(frame, span, parts); break;  // at vertices; colour interpolated
+    case Shading::phong: phong(frame, span); break;             // normal interpolated; per fragment
   }
   stats.fragments += span.size;
   write(span, ambient_radiance(frame.scene, span.draw->object->material), framebuffer);
