@@ -7,6 +7,7 @@
 #include <map>
 #include <tuple>
 
+#include "lessons/studio/framing.h"
 #include "rasterizer/error.h"
 #include "rasterizer/shapes.h"
 
@@ -39,17 +40,6 @@ Material make_material(const MaterialDescription& description) {
     if (key == "kd") material.ka = value * ambient_share;
   material.ka = description.ka.value_or(material.ka);
   return material;
-}
-
-/// The viewer's axes in world space.
-struct ViewerFrame {
-  glm::dvec3 right, up, back;  // back: from the scene towards the viewer
-};
-
-ViewerFrame viewer_frame(const Camera& camera) {
-  const glm::dvec3 back = towards_viewer(camera);
-  const glm::dvec3 right = glm::normalize(glm::cross(camera.up, back));
-  return {right, glm::cross(back, right), back};
 }
 
 Light directional(const glm::dvec3& towards_light, double intensity, const Rgb<double>& colour) {
@@ -118,7 +108,8 @@ Scene make_scene(const Description& description) {
   return scene;
 }
 
-Camera make_camera(const View& view, const Sphere& bounds, double aspect) {
+Camera make_camera(const View& view, const Scene& scene, double aspect) {
+  const Sphere bounds = bounding_sphere(scene);
   Camera camera;
   camera.up = view.up;
   camera.projection = view.projection;
@@ -130,11 +121,12 @@ Camera make_camera(const View& view, const Sphere& bounds, double aspect) {
     camera.height = 2 * bounds.radius;
     set_depth_range(camera, bounds);
   } else {
-    const glm::dvec3 target = view.target.value_or(bounds.centre);
-    const Sphere frame{target, bounds.radius + glm::length(bounds.centre - target)};
-    camera.target = target;
-    camera.eye = target + viewing_direction(view);
-    camera = framed(camera, frame, aspect);
+    camera.target = view.target.value_or(bounds.centre);
+    camera.eye = camera.target + viewing_direction(view);
+    // Around a given target the scene may lie anywhere: a sphere does then.
+    const double beside = glm::length(bounds.centre - camera.target);
+    camera = view.target ? framed(camera, {camera.target, bounds.radius + beside}, aspect)
+                         : fitted(camera, scene, aspect);
   }
   camera.height = view.height.value_or(camera.height);
   camera.near = view.near.value_or(camera.near);
@@ -145,9 +137,9 @@ Camera make_camera(const View& view, const Sphere& bounds, double aspect) {
 
 std::vector<Light> make_lights(const Description& description, const Camera& camera) {
   if (!description.lights.empty()) return description.lights;
-  const auto [right, up, back] = viewer_frame(camera);
-  return {directional(-0.6 * right + 0.75 * up + 0.65 * back, 0.95, {1.0, 0.97, 0.92}),
-          directional(0.9 * right + 0.1 * up + 0.45 * back, 0.18, {0.75, 0.85, 1.0})};
+  const glm::dmat3 axes = viewer_axes(camera);
+  return {directional(axes * glm::dvec3(-0.7, 0.7, 0.5), 1.0, {1.0, 0.97, 0.92}),
+          directional(axes * glm::dvec3(0.9, 0.1, 0.4), 0.2, {0.7, 0.83, 1.0})};
 }
 
 }  // namespace scanlit::studio

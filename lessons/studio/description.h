@@ -67,7 +67,7 @@ struct Description {
   std::vector<Light> lights;  // none: a key light over the viewer's left shoulder and a weak fill
   double ambient_intensity = 1;
   Rgb<double> ambient_colour{1.0};
-  Rgb<double> background{0.055, 0.062, 0.075};
+  Rgb<double> background{0.03, 0.034, 0.042};
 };
 
 /// The ambient reflectance of a material that names none, as a share of its model's `kd`.
@@ -84,7 +84,7 @@ Description describe_object(const std::string& mesh);
 Scene make_scene(const Description& description);
 
 /// Throws Error naming the field.
-Camera make_camera(const View& view, const Sphere& bounds, double aspect);
+Camera make_camera(const View& view, const Scene& scene, double aspect);
 
 /// The lights described, or the default ones for this camera.
 std::vector<Light> make_lights(const Description& description, const Camera& camera);

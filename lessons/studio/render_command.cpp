@@ -37,10 +37,12 @@ void print_warnings(const Scene& scene) {
         warn(object.mesh->name + ": " + warning);
 }
 
-/// By how much the exposure must go down for the brightest channel to fit, rounded to tenths.
-double fitting_exposure(const Framebuffer& framebuffer, double exposure_ev) {
-  const float brightest = *std::max_element(framebuffer.colour.begin(), framebuffer.colour.end());
-  return std::min(exposure_ev, std::floor(-10 * std::log2(double(brightest))) / 10);
+/// The highest exposure, in tenths, at which the brightest channel is not clipped.
+double fitting_exposure(const Framebuffer& framebuffer) {
+  float brightest = 0;
+  for (std::size_t i = 0; i < framebuffer.colour.size(); ++i)
+    if (i % 4 != 3) brightest = std::max(brightest, framebuffer.colour[i]);  // 3 is alpha
+  return std::floor(-10 * std::log2(double(brightest))) / 10 + 0.0;          // + 0.0: not "-0"
 }
 
 void report_picture(const RenderOptions& options, const Picture& picture, const FrameStats& stats,
@@ -48,8 +50,7 @@ void report_picture(const RenderOptions& options, const Picture& picture, const 
   if (stats.covered_pixels == 0) warn("nothing of the scene is in view");
   if (image.clipped_pixels > 0)
     note(grouped(image.clipped_pixels) + " pixels are too bright and were clipped; --exposure " +
-         text_of(fitting_exposure(framebuffer, picture.image.exposure_ev)) +
-         " would keep them all");
+         text_of(fitting_exposure(framebuffer)) + " would keep them all");
   std::cout << options.output_file().string() << ": " << picture.width << " x " << picture.height
             << " pixels, " << grouped(stats.triangles)
             << (stats.triangles == 1 ? " triangle, " : " triangles, ")
@@ -73,7 +74,7 @@ void render_picture(const RenderOptions& options) {
   Scene scene = make_scene(description);
   print_warnings(scene);
   const double aspect = double(picture.width) / picture.height;
-  const Camera camera = make_camera(description.view, bounding_sphere(scene), aspect);
+  const Camera camera = make_camera(description.view, scene, aspect);
   scene.lights = make_lights(description, camera);
 
   const bool all = !options.aov.empty();
