@@ -4,11 +4,12 @@
 // A formula is a class with a call operator that takes the four cosines and, only if it needs them,
 // the shading frame or the surface point; asking for the argument is what declares the need:
 //
-//   template <class T> Reflection<T> operator()(const Cosines<T>& c) const;
-//   template <class T> Reflection<T> operator()(const Cosines<T>& c, const Frame<T>& f) const;
-//   template <class T> Reflection<T> operator()(const Cosines<T>& c, const SurfacePoint<T>& p)
-//   const; template <class T> Reflection<T> operator()(const Cosines<T>& c, const Frame<T>& f,
-//                                               const SurfacePoint<T>& p) const;
+//   template <class T>
+//   Reflection<T> operator()(const Cosines<T>& c) const;
+//   Reflection<T> operator()(const Cosines<T>& c, const ShadingFrame<T>& f) const;
+//   Reflection<T> operator()(const Cosines<T>& c, const SurfacePoint<T>& p) const;
+//   Reflection<T> operator()(const Cosines<T>& c, const ShadingFrame<T>& f,
+//                            const SurfacePoint<T>& p) const;
 //
 // It is called for n_l > 0 or its result is thrown away: it must be finite but need not be right
 // below the horizon.
@@ -44,7 +45,7 @@ struct Cosines {
 
 /// The directions in the shading frame: x tangent, y bitangent, z normal; unit.
 template <class T>
-struct Frame {
+struct ShadingFrame {
   Vec3<T> l, v, h;
 };
 
@@ -82,7 +83,8 @@ Cosines<T> cosines(const Vec3<T>& n, const Vec3<T>& l, const Vec3<T>& v) {
 
 /// Directions into the shading frame of unit n and tangent t (perpendicular to n).
 template <class T>
-Frame<T> shading_frame(const Vec3<T>& n, const Vec3<T>& t, const Vec3<T>& l, const Vec3<T>& v) {
+ShadingFrame<T> shading_frame(const Vec3<T>& n, const Vec3<T>& t, const Vec3<T>& l,
+                              const Vec3<T>& v) {
   const Vec3<T> b = cross(n, t), s = l + v;
   const T inverse = T(1) / sqrt(max(dot(s, s), T(1e-20)));  // as in cosines()
   const auto local = [&](const Vec3<T>& d) { return Vec3<T>{dot(t, d), dot(b, d), dot(n, d)}; };
@@ -93,8 +95,9 @@ template <class Formula>
 class FormulaModel final : public ReflectionModel {
   template <class... Arguments>
   static constexpr bool takes = std::is_invocable_v<const Formula&, Arguments...>;
-  static constexpr bool takes_both = takes<Cosines<float>, Frame<float>, SurfacePoint<float>>;
-  static constexpr bool takes_frame = takes<Cosines<float>, Frame<float>> || takes_both;
+  static constexpr bool takes_both =
+      takes<Cosines<float>, ShadingFrame<float>, SurfacePoint<float>>;
+  static constexpr bool takes_frame = takes<Cosines<float>, ShadingFrame<float>> || takes_both;
   static constexpr bool takes_point = takes<Cosines<float>, SurfacePoint<float>> || takes_both;
   static_assert(takes<Cosines<float>> || takes_frame || takes_point, "see the top of this file");
 
@@ -112,7 +115,7 @@ class FormulaModel final : public ReflectionModel {
     };
     for (std::size_t i = 0; i < in.size; i += std::size_t(Batch::lanes)) {
       const auto n = vec3(in.normal, i), l = vec3(in.to_light, i), v = vec3(in.to_viewer, i);
-      Frame<Batch> frame;
+      ShadingFrame<Batch> frame;
       SurfacePoint<Batch> point;
       if constexpr (takes_frame) frame = shading_frame(n, vec3(in.tangent, i), l, v);
       if constexpr (takes_point)
@@ -143,7 +146,7 @@ class FormulaModel final : public ReflectionModel {
   }
 
   template <class T>
-  Reflection<T> above_horizon(const Cosines<T>& c, [[maybe_unused]] const Frame<T>& frame,
+  Reflection<T> above_horizon(const Cosines<T>& c, [[maybe_unused]] const ShadingFrame<T>& frame,
                               [[maybe_unused]] const SurfacePoint<T>& point) const {
     Reflection<T> value;
     if constexpr (takes_both)
