@@ -10,7 +10,7 @@
 namespace scanlit::studio {
 namespace {
 
-constexpr double margin = 1.08;
+constexpr double margin = 1.12;
 
 template <class Use>
 void for_each_position(const Scene& scene, const Use& use) {

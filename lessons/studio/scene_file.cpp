@@ -89,9 +89,9 @@ Description read_root(TomlTable root, const std::filesystem::path& folder) {
 std::string read_text(const std::filesystem::path& file) {
   constexpr std::uintmax_t max_bytes = 64 << 20;
   std::error_code missing;
-  if (!std::filesystem::exists(file, missing)) throw Error(file.string(), "no such file");
+  if (!std::filesystem::exists(file, missing)) throw Error(file.string(), "there is no such file");
   // A pipe or device might never end.
-  if (!std::filesystem::is_regular_file(file)) throw Error(file.string(), "not a regular file");
+  if (!std::filesystem::is_regular_file(file)) throw Error(file.string(), "is not a regular file");
   if (std::filesystem::file_size(file) > max_bytes)
     throw Error(file.string(), "larger than 64 MiB, which no scene is");
   std::ifstream stream(file, std::ios::binary);

@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render a.obj", "a.obj", "a.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
         BadInput{"render a.off", "a.off", "a.off", "OFF\n1000000000 1000000000 0\n0 0 0\n"},
         BadInput{"render empty.toml", "empty.toml:1:1: no [[object]]", "empty.toml", ""},
-        BadInput{"render s.toml", "s.toml:2:8: none.obj: no such file", "s.toml",
+        BadInput{"render s.toml", "s.toml:2:8: none.obj: there is no such file", "s.toml",
                  "[[object]]\nmesh = 'none.obj'\n"},
         BadInput{"render s.toml", "s.toml:2:8: 'teepot' is neither", "s.toml",
                  "[[object]]\nmesh = 'teepot'\n"},
@@ -102,9 +102,9 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(BadInput, AFolderOrPipeIsNoScene) {
   const Folder folder;
   std::filesystem::create_directory(folder.path() / "folder.toml");
-  expect_refusal(folder.run("render folder.toml"), "folder.toml: not a regular file");
+  expect_refusal(folder.run("render folder.toml"), "folder.toml: is not a regular file");
   expect_refusal(folder.run("render pipe.toml", "mkfifo pipe.toml;"),
-                 "pipe.toml: not a regular file");
+                 "pipe.toml: is not a regular file");
 }
 
 TEST(BadInput, AFullStandardOutputIsNoticed) {

@@ -44,9 +44,8 @@ std::vector<std::string> Folder::files() const {
 Outcome Folder::run(const std::string& arguments, const std::string& before) const {
   const Folder said;
   const std::string out = said.path() / "out", err = said.path() / "err";
-  const std::string command = "cd '" + path_.string() + "' && " + before +
-                              " '" SCANLIT_PROGRAM "' " + arguments + " >'" + out + "' 2>'" + err +
-                              "' </dev/null";
+  const std::string command = "cd '" + path_.string() + "' && " + before + " >'" + out + "' 2>'" +
+                              err + "' </dev/null '" SCANLIT_PROGRAM "' " + arguments;
   const int status = std::system(command.c_str());
   const int exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
   return {exit_code, content(out), content(err)};
