@@ -195,6 +195,12 @@ struct Picture {
   std::uint32_t triangle(int x, int y) const { return framebuffer.triangle_id[index(x, y)]; }
 };
 
+inline RenderSettings with_samples(int samples) {
+  RenderSettings settings;
+  settings.samples = samples;
+  return settings;
+}
+
 inline Picture picture_of(const Scene& scene, const Camera& camera, int width, int height,
                           const RenderSettings& settings = {}) {
   Picture picture{Framebuffer(width, height, {true, true, true, true}), {}};
