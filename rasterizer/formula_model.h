@@ -101,12 +101,24 @@ class FormulaModel final : public ReflectionModel {
   static constexpr bool takes_point = takes<Cosines<float>, SurfacePoint<float>> || takes_both;
   static_assert(takes<Cosines<float>> || takes_frame || takes_point, "see the top of this file");
 
+  // A formula that owns tables is not copied.
+  using LocalFormula =
+      std::conditional_t<std::is_trivially_copyable_v<Formula>, const Formula, const Formula&>;
+
  public:
   explicit FormulaModel(Formula formula) : formula_(std::move(formula)) {}
 
   Needs needs() const override { return {.frame = takes_frame, .surface_point = takes_point}; }
 
-  void evaluate(const DirectionSpan& in, const ReflectionSpan& out) const override {
+  // Inlined whole (flatten), whatever the size of the author's formula: a call in the loop would
+  // pass its vectors through memory.
+  [[gnu::flatten]] void evaluate(const DirectionSpan& directions,
+                                 const ReflectionSpan& reflection) const override {
+    // Local copies, because a vector store may alias whatever is behind a reference: pointers and
+    // parameters would be loaded, and converted to Batch, again for every vector.
+    const DirectionSpan in = directions;
+    const ReflectionSpan out = reflection;
+    const LocalFormula formula = formula_;
     const auto vec3 = [](const float* const* a, std::size_t i) -> Vec3<Batch> {
       return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
     };
@@ -122,7 +134,7 @@ class FormulaModel final : public ReflectionModel {
         point = {.object_position = vec3(in.object_position, i),
                  .u = Batch::load(in.texcoord[0] + i),
                  .v = Batch::load(in.texcoord[1] + i)};
-      const auto result = above_horizon(cosines(n, l, v), frame, point);
+      const auto result = above_horizon(formula, cosines(n, l, v), frame, point);
       store(result.diffuse, out.diffuse, i);
       store(result.glossy, out.glossy, i);
     }
@@ -142,21 +154,22 @@ class FormulaModel final : public ReflectionModel {
   Reflection<T> query(const Vec3<T>& l, const Vec3<T>& v, const SurfacePoint<T>& point) const {
     if (!(v.z > 0)) return {};
     const Vec3<T> n{0, 0, 1}, t{1, 0, 0};
-    return above_horizon(cosines(n, l, v), shading_frame(n, t, l, v), point);
+    return above_horizon(formula_, cosines(n, l, v), shading_frame(n, t, l, v), point);
   }
 
   template <class T>
-  Reflection<T> above_horizon(const Cosines<T>& c, [[maybe_unused]] const ShadingFrame<T>& frame,
-                              [[maybe_unused]] const SurfacePoint<T>& point) const {
+  static Reflection<T> above_horizon(const Formula& formula, const Cosines<T>& c,
+                                     [[maybe_unused]] const ShadingFrame<T>& frame,
+                                     [[maybe_unused]] const SurfacePoint<T>& point) {
     Reflection<T> value;
     if constexpr (takes_both)
-      value = formula_(c, frame, point);
+      value = formula(c, frame, point);
     else if constexpr (takes_frame)
-      value = formula_(c, frame);
+      value = formula(c, frame);
     else if constexpr (takes_point)
-      value = formula_(c, point);
+      value = formula(c, point);
     else
-      value = formula_(c);
+      value = formula(c);
     const auto lit = c.n_l > T(0);
     const auto mask = [&](const Rgb<T>& a) -> Rgb<T> {
       return {select(lit, a.r, T(0)), select(lit, a.g, T(0)), select(lit, a.b, T(0))};
