@@ -25,8 +25,8 @@ Object object(const char* shape, const char* model, Shading shading = Shading::p
   return result;
 }
 
-Object moved(Object result, const glm::vec3& by) {
-  result.world_from_object = glm::translate(glm::mat4(1), by) * result.world_from_object;
+Object placed(Object result, const glm::vec3& position, float scale) {
+  result.world_from_object = glm::scale(glm::translate(glm::mat4(1), position), glm::vec3(scale));
   return result;
 }
 
@@ -41,6 +41,7 @@ Light directional(const glm::dvec3& towards_light, double intensity = 0.8) {
 Scene scene(std::vector<Object> objects) {
   Scene result;
   result.objects = std::move(objects);
+  result.ambient = Rgb<double>(0.5);
   result.lights = {directional({-1, 1.5, 2}), directional({2, 0.2, 1}, 0.3)};
   result.lights[1].colour = {1, 0.7, 0.4};
   return result;
@@ -48,23 +49,27 @@ Scene scene(std::vector<Object> objects) {
 
 struct Shot {
   Camera camera{.eye = {1.2, 1.4, 3}};
-  bool automatic_framing = true;
+  double framing = 1;  // times the size at which the scene just fits; 0: the camera as it is
   RenderSettings settings;
   Planes planes;
 };
 
 Framebuffer draw(const Scene& scene, const Shot& shot = {}) {
   Framebuffer framebuffer(width, height, shot.planes);
-  const Camera camera = shot.automatic_framing
-                            ? framed(shot.camera, bounding_sphere(scene), double(width) / height)
-                            : shot.camera;
+  Camera camera = shot.camera;
+  if (shot.framing > 0) {
+    camera = framed(camera, bounding_sphere(scene), double(width) / height);
+    camera.fov_deg /= shot.framing;
+    camera.height /= shot.framing;
+  }
   render(scene, camera, shot.settings, framebuffer);
   return framebuffer;
 }
 
 constexpr const char* porcelain = "blinn-phong:kd=.15/.35/.6,ks=.4,n=50";
 
-Framebuffer teapot(Shading shading, const Shot& shot = {}) {
+Framebuffer teapot(Shading shading, Shot shot = {}) {
+  shot.framing = 1.4;
   return draw(scene({object("teapot:6", porcelain, shading)}), shot);
 }
 
@@ -76,52 +81,72 @@ Framebuffer teapot_with_samples(int samples) {
   return teapot(Shading::phong, shot);
 }
 
+Framebuffer orthographic_teapot() {
+  Shot shot;
+  shot.camera.projection = Projection::orthographic;
+  return teapot(Shading::phong, shot);
+}
+
+Framebuffer teapot_for_a_viewer_at_infinity() {
+  Shot shot;
+  shot.camera.viewer_at_infinity = true;
+  return teapot(Shading::phong, shot);
+}
+
+// The near plane opens the torus: its inside is seen, shaded with flipped normals.
 Framebuffer near_plane_cuts_torus() {
   Shot shot;
-  shot.automatic_framing = false;
-  shot.camera = {.eye = {0.5, 0.35, 1.1}, .fov_deg = 70, .near = 0.7};
+  shot.framing = 0;
+  shot.camera = {.eye = {0.5, 0.35, 1.3}, .fov_deg = 70, .near = 1.3};
   Object torus = object("torus", porcelain);
   torus.sides = Sides::both;
   return draw(scene({torus}), shot);
 }
 
+// Triangles reach behind the eye on all sides.
 Framebuffer camera_inside_cube() {
   Shot shot;
-  shot.automatic_framing = false;
+  shot.framing = 0;
   shot.camera = {.eye = {0.1, 0.2, 0.3}, .target = {-1, -0.5, -1}, .fov_deg = 100};
   Object cube = object("cube", "lambert:kd=.7/.5/.3");
   cube.sides = Sides::both;
   return draw(scene({cube}), shot);
 }
 
-// The far side is seen from behind, and shaded with its normal flipped.
-Framebuffer open_cylinder_of_a_bowl() {
-  Scene bowl = scene({object("teapot:6", porcelain)});
-  bowl.objects[0].sides = Sides::both;
+// Lit on the side that its normals do not point to, and beside it one that is not drawn there.
+Framebuffer planes_from_behind() {
+  Scene planes = scene({placed(object("plane:4", porcelain), {-0.6, 0, 0}, 0.5f),
+                        placed(object("plane:4", porcelain), {0.6, 0, 0}, 0.5f)});
+  planes.objects[1].sides = Sides::front;
+  planes.lights = {directional({0.2, -0.6, -3})};
   Shot shot;
-  shot.automatic_framing = false;
-  shot.camera = {.eye = {0, 1.2, 1.0}, .near = 0.9};
-  return draw(bowl, shot);
+  shot.camera.eye = {-0.6, 1, -3};
+  shot.framing = 1.6;
+  return draw(planes, shot);
 }
 
 Framebuffer spot_and_point_lights() {
-  Scene stage =
-      scene({object("plane:1", "lambert:kd=.8"), moved(object("sphere:24", porcelain), {0, 0, 0})});
+  Scene stage = scene({object("plane:1", "lambert:kd=.8"),
+                       placed(object("sphere:24", porcelain), {0, 0, 0.4}, 0.4f)});
   Light spot;
   spot.kind = LightKind::spot;
-  spot.position = {-1.5, 2.5, 1.5};
+  spot.position = {-1.2, -0.8, 2};
   spot.direction = -spot.position;
-  spot.intensity = 1.2;
   spot.inner_deg = 12;
   spot.outer_deg = 18;
   Light point;
   point.kind = LightKind::point;
-  point.position = {1.3, 0.8, 0.9};
+  point.position = {0.8, 0.5, 0.5};
   point.colour = {1, 0.5, 0.2};
+  point.intensity = 0.2;
   point.constant = 0;
   point.quadratic = 1;
   stage.lights = {spot, point};
-  return draw(stage);
+  Shot shot;
+  shot.camera.eye = {0.6, -2, 2};
+  shot.camera.up = {0, 0, 1};
+  shot.framing = 1.3;
+  return draw(stage, shot);
 }
 
 // A coloured light tints the highlight and not the body.
@@ -133,24 +158,29 @@ Framebuffer colour_form_2() {
   return draw(plastic);
 }
 
-Framebuffer screen_linear_plane() {
+// One bright corner of two large triangles: screen-linear, the brightness bends at their diagonal.
+Framebuffer foreshortened_plane(Interpolation interpolation) {
   Shot shot;
-  shot.automatic_framing = false;
-  shot.camera = {.eye = {0.2, 0.3, 1.2}, .fov_deg = 60};
-  shot.settings.interpolation = Interpolation::screen_linear;
+  shot.framing = 0;
+  shot.camera = {.eye = {0.3, -1.4, 0.5}, .target = {0, -0.3, 0}, .up = {0, 0, 1}, .fov_deg = 60};
+  shot.settings.interpolation = interpolation;
   Scene floor = scene({object("plane:1", "lambert:kd=.8", Shading::gouraud)});
   floor.lights[0].kind = LightKind::point;
-  floor.lights[0].position = {-1, 0.5, 1};
+  floor.lights[0].position = {-1, -1, 0.5};
+  floor.lights[0].constant = 0;
+  floor.lights[0].quadratic = 4;
   return draw(floor, shot);
 }
 
-// Also what lies behind one another, and the same material in different objects.
+// Also two objects that share a model, and one that is shaded per face.
 Framebuffer intersecting_objects() {
   Shot shot;
   shot.planes = {.depth = true, .normal = true, .ids = true, .parts = true};
-  return draw(scene({object("torus:12", porcelain), object("cube", "lambert:kd=.7/.5/.3"),
-                     moved(object("icosphere:3", porcelain, Shading::flat), {0.6, 0.4, 0.3})}),
-              shot);
+  return draw(
+      scene({object("torus:12", porcelain),
+             placed(object("cube", "lambert:kd=.7/.5/.3"), {-0.3, -0.2, 0.1}, 0.4f),
+             placed(object("icosphere:3", porcelain, Shading::flat), {0.7, 0.3, 0.1}, 0.45f)}),
+      shot);
 }
 
 }  // namespace
@@ -168,22 +198,15 @@ const std::vector<Case>& cases() {
       {"samples_16", rounding, [] { return teapot_with_samples(16); }},
       {"near_plane_cuts_torus", rounding, near_plane_cuts_torus},
       {"camera_inside_cube", rounding, camera_inside_cube},
-      {"open_cylinder", rounding, open_cylinder_of_a_bowl},
+      {"planes_from_behind", rounding, planes_from_behind},
       {"spot_and_point_lights", rounding, spot_and_point_lights},
       {"colour_form_2", rounding, colour_form_2},
-      {"orthographic", rounding,
-       [] {
-         Shot shot;
-         shot.camera.projection = Projection::orthographic;
-         return teapot(Shading::phong, shot);
-       }},
-      {"viewer_at_infinity", rounding,
-       [] {
-         Shot shot;
-         shot.camera.viewer_at_infinity = true;
-         return teapot(Shading::phong, shot);
-       }},
-      {"screen_linear_plane", rounding, screen_linear_plane},
+      {"orthographic", rounding, orthographic_teapot},
+      {"viewer_at_infinity", rounding, teapot_for_a_viewer_at_infinity},
+      {"perspective_plane", rounding,
+       [] { return foreshortened_plane(Interpolation::perspective); }},
+      {"screen_linear_plane", rounding,
+       [] { return foreshortened_plane(Interpolation::screen_linear); }},
       {"intersecting_objects", rounding, intersecting_objects},
   };
   return all;
