@@ -62,8 +62,7 @@ Result check(const Case& golden_case, const std::filesystem::path& references) {
 std::string bless(const Case& golden_case, const std::filesystem::path& references) {
   const auto describe = [](const Result& result) {
     std::string lines;
-    if (result.expected && result.expected->pixel_count() == result.actual->pixel_count())
-      lines = figures(result.comparison.colour, *result.actual);
+    if (const auto& colour = result.comparison.colour) lines = figures(*colour, *result.actual);
     for (const std::string& problem : result.comparison.problems)
       lines += (lines.empty() ? "" : "\n           ") + problem;
     return lines;

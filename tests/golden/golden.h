@@ -41,7 +41,7 @@ struct Difference {
 
 struct Comparison {
   std::vector<std::string> problems;  // one line each; empty where the pictures agree
-  Difference colour;                  // where both have the same size
+  std::optional<Difference> colour;   // where both have the same size and planes
 };
 
 Comparison compare(const Framebuffer& actual, const Framebuffer& expected,

@@ -50,8 +50,9 @@ TEST(Compare, ColourWithinToleranceIsMeasuredAndPasses) {
   actual.colour[0] += 4e-4f;
   const Comparison comparison = compare(actual, picture(), tolerance());
   EXPECT_EQ(comparison.problems, Lines{});
-  EXPECT_NEAR(comparison.colour.max, 4e-4, 1e-6);
-  EXPECT_EQ(comparison.colour.pixels, 0);
+  ASSERT_TRUE(comparison.colour);
+  EXPECT_NEAR(comparison.colour->max, 4e-4, 1e-6);
+  EXPECT_EQ(comparison.colour->pixels, 0);
 }
 
 TEST(Compare, EitherToleranceSuffices) {

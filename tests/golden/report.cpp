@@ -57,9 +57,8 @@ std::string pictures(const std::filesystem::path& folder, const Result& result) 
   const std::string file = result.name + "-";
   if (result.actual) html += picture(folder, file + "actual.png", "actual", *result.actual);
   if (result.expected) html += picture(folder, file + "expected.png", "expected", *result.expected);
-  if (result.actual && result.expected && result.actual->width == result.expected->width &&
-      result.actual->height == result.expected->height) {
-    const double max = result.comparison.colour.max;
+  if (result.comparison.colour) {
+    const double max = result.comparison.colour->max;
     const float factor = max > 0 && std::isfinite(max) ? float(1 / max) : 1;
     std::ostringstream caption;
     caption << "difference, " << factor << " times";
@@ -79,12 +78,14 @@ std::string section(const std::filesystem::path& folder, const Result& result) {
   if (!result.passed())
     html << "<p>To accept the new picture: <code>tests/bless " << result.name << "</code></p>\n";
   html << pictures(folder, result);
-  const Difference& difference = result.comparison.colour;
   const Tolerance& tolerance = result.tolerance;
-  html << "<p>Colour differs by max " << difference.max << ", mean " << difference.mean << ", RMS "
-       << difference.rms << "; " << difference.pixels << " pixels beyond the tolerance of "
-       << tolerance.absolute << " or " << 100 * tolerance.relative << " %, where "
-       << tolerance.pixels << " may be (" << escaped(tolerance.reason) << ").</p>\n</section>\n";
+  if (const auto& difference = result.comparison.colour)
+    html << "<p>Colour differs by max " << difference->max << ", mean " << difference->mean
+         << ", RMS " << difference->rms << "; " << difference->pixels
+         << " pixels beyond the tolerance of " << tolerance.absolute << " or "
+         << 100 * tolerance.relative << " %, where " << tolerance.pixels << " may be ("
+         << escaped(tolerance.reason) << ").</p>\n";
+  html << "</section>\n";
   return html.str();
 }
 
