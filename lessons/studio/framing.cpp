@@ -41,31 +41,31 @@ Camera fitted(const Camera& camera, const Scene& scene, double aspect) {
   const glm::dmat3 viewer_from_world = glm::transpose(world_from_viewer);
 
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  glm::dvec2 high(-infinity), low(-infinity);
-  double nearest = -infinity, farthest = infinity;
+  glm::dvec2 right_top(-infinity), left_bottom(-infinity);  // the largest right-hand sides
+  glm::dvec3 low(infinity), high(-infinity);
   for_each_position(scene, [&](const glm::dvec3& position) {
     const glm::dvec3 p = viewer_from_world * position;
-    high = glm::max(high, glm::dvec2(p) + slope * p.z);
-    low = glm::max(low, -glm::dvec2(p) + slope * p.z);
-    nearest = std::max(nearest, p.z);
-    farthest = std::min(farthest, p.z);
+    right_top = glm::max(right_top, glm::dvec2(p) + slope * p.z);
+    left_bottom = glm::max(left_bottom, -glm::dvec2(p) + slope * p.z);
+    low = glm::min(low, p);
+    high = glm::max(high, p);
   });
-  if (nearest == -infinity) return camera;
+  if (low.x > high.x) return camera;
 
-  const glm::dvec2 extent = high + low;
-  // What has no extent (a point, or a line along the view) still gets a picture around it.
-  const double size = std::max({extent.x, extent.y, nearest - farthest, 1e-6});
-  const double step_back = 0.01 * size;
-  double e_z = nearest + size;
+  const glm::dvec3 extent = high - low;
+  // What has no extent (a point) still gets a picture around it.
+  const double size = std::max({extent.x, extent.y, extent.z, 1e-6});
+  const glm::dvec2 middle = (right_top - left_bottom) / 2.0;
+  const glm::dvec2 distance = (right_top + left_bottom) / (2.0 * slope);
+  // Orthographic, any distance does; perspective, nothing comes nearer than a tenth of the scene.
+  const double e_z =
+      perspective ? std::max({distance.x, distance.y, high.z + 0.1 * size}) : high.z + size;
   Camera result = camera;
-  if (perspective)
-    e_z = std::max({extent.x / (2 * slope.x), extent.y / (2 * slope.y), nearest + 10 * step_back});
-  else
-    result.height = margin * std::max({extent.y, extent.x / aspect, step_back});
-  result.eye = world_from_viewer * glm::dvec3((high - low) / 2.0, e_z);
-  result.target = world_from_viewer * glm::dvec3((high - low) / 2.0, (nearest + farthest) / 2);
-  result.near = e_z - nearest - step_back;
-  result.far = e_z - farthest + step_back;
+  result.height = margin * std::max({extent.y, extent.x / aspect, 0.01 * size});
+  result.eye = world_from_viewer * glm::dvec3(middle, e_z);
+  result.target = world_from_viewer * glm::dvec3(middle, (low.z + high.z) / 2);
+  result.near = e_z - high.z - 0.01 * size;
+  result.far = e_z - low.z + 0.01 * size;
   return result;
 }
 

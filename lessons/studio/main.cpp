@@ -5,9 +5,10 @@
 #include "lessons/studio/program.h"
 #include "rasterizer/error.h"
 
-int main(int argc, char** argv) {
-  using namespace scanlit::studio;
-  CLI::App app("Draws meshes with local reflection models, by scan conversion.", "scanlit");
+namespace scanlit::studio {
+
+std::function<void()> set_up(CLI::App& app) {
+  app.description("Draws meshes with local reflection models, by scan conversion.");
   app.set_version_flag("--version", "scanlit " SCANLIT_VERSION);
   app.footer(
       "Example:\n"
@@ -16,9 +17,15 @@ int main(int argc, char** argv) {
       "Each command explains itself: scanlit render --help");
   const std::vector<Command> commands{add_render_command(app), add_models_command(app),
                                       add_shapes_command(app)};
-  return run_program(app, argc, argv, [&] {
+  return [commands] {
     for (const Command& command : commands)
       if (command.app->parsed()) return command.run();
-    throw scanlit::Error("no command; see scanlit --help");
-  });
+    throw Error("no command; see scanlit --help");
+  };
+}
+
+}  // namespace scanlit::studio
+
+int main(int argc, char** argv) {
+  return scanlit::studio::run_program("scanlit", argc, argv, scanlit::studio::set_up);
 }

@@ -23,11 +23,6 @@ int fail(int exit_code, const std::string& message) {
   return exit_code;
 }
 
-int finish() {
-  if (!std::cout.flush()) throw Error("cannot write to standard output");
-  return 0;
-}
-
 /// The command that the command line named, or the program itself.
 const CLI::App& chosen(const CLI::App& app) {
   const auto commands = app.get_subcommands();
@@ -63,25 +58,32 @@ std::string explain_unexpected(const CLI::App& app) {
 volatile std::sig_atomic_t held_signal = 0;
 extern "C" void remember_signal(int signal_number) { held_signal = signal_number; }
 
+/// Whether there is something to do; else help or the version was asked for, and printed.
+bool read_command_line(CLI::App& app, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return true;
+  } catch (const CLI::CallForHelp&) {
+    std::cout << CLI::detail::find_and_replace(app.help(), "\n\n\n", "\n\n");
+  } catch (const CLI::Success& version) {
+    std::cout << version.what() << '\n';
+  } catch (const CLI::ExtrasError&) {
+    throw Error(explain_unexpected(app));
+  } catch (const CLI::ParseError& error) {
+    throw Error(error.what() + see_help(chosen(app)));
+  }
+  return false;
+}
+
 }  // namespace
 
-int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& action) {
+int run_program(const std::string& name, int argc, char** argv, const Setup& setup) {
   try {
-    try {
-      app.parse(argc, argv);
-    } catch (const CLI::ExtrasError&) {
-      throw Error(explain_unexpected(app));
-    } catch (const CLI::CallForHelp&) {
-      std::cout << CLI::detail::find_and_replace(app.help(), "\n\n\n", "\n\n");
-      return finish();
-    } catch (const CLI::Success& success) {  // --version
-      std::cout << success.what() << '\n';
-      return finish();
-    } catch (const CLI::ParseError& error) {
-      throw Error(error.what() + see_help(chosen(app)));
-    }
-    action();
-    return finish();
+    CLI::App app("", name);
+    const std::function<void()> action = setup(app);
+    if (read_command_line(app, argc, argv)) action();
+    if (!std::cout.flush()) throw Error("cannot write to standard output");
+    return 0;
   } catch (const Error& error) {
     return fail(exit_bad_input, error.what());
   } catch (const std::bad_alloc&) {

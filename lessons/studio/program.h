@@ -6,16 +6,20 @@
 #include <array>
 #include <csignal>
 #include <functional>
+#include <string>
 
 namespace scanlit::studio {
 
 /// 2: bad input, or not enough memory; 1: a fault of the program itself.
 constexpr int exit_bad_input = 2, exit_internal = 1;
 
-/// Reads the command line into `app`, then runs `action`; both turn exceptions into one line
-/// "error: ..." on stderr and the exit code that is returned. `--help` and `--version` print and
-/// return 0 without running `action`.
-int run_program(CLI::App& app, int argc, char** argv, const std::function<void()>& action);
+/// Adds options and commands to the program, and returns what to do when they have been read.
+using Setup = std::function<std::function<void()>(CLI::App&)>;
+
+/// A program's main(): what is thrown becomes one line "error: ..." on stderr and the exit code
+/// that is returned. `--help` and `--version` print and return 0 without doing what the setup
+/// returned.
+int run_program(const std::string& name, int argc, char** argv, const Setup& setup);
 
 /// While it lives, Ctrl-C and its like wait: a picture is written beside its place first, and a
 /// program killed in that moment would leave the temporary file.

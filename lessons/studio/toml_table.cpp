@@ -133,6 +133,7 @@ std::vector<std::string> TomlTable::keys() const {
     places.emplace_back(key.source().begin.line, key.source().begin.column, key.str());
   std::sort(places.begin(), places.end());
   std::vector<std::string> keys;
+  keys.reserve(places.size());
   for (const Place& key : places) keys.push_back(std::get<std::string>(key));
   return keys;
 }

@@ -65,9 +65,8 @@ TEST(Cli, ThePictureDoesNotDependOnThreads) {
   folder.run("render teapot:8 --size 200x150 --threads 1 -o 1.png");
   ASSERT_FALSE(folder.read("1.png").empty());
   for (const char* threads : {"2", "3", "8"}) {
-    const std::string n = threads;
-    folder.run("render teapot:8 --size 200x150 --threads " + n + " -o " + n + ".png");
-    EXPECT_EQ(folder.read("1.png"), folder.read(n + ".png")) << n << " threads";
+    folder.run(std::string("render teapot:8 --size 200x150 -o n.png --threads ") + threads);
+    EXPECT_EQ(folder.read("1.png"), folder.read("n.png")) << threads << " threads";
   }
 }
 
@@ -100,6 +99,27 @@ TEST(Cli, EachOptionChangesThePicture) {
     const Outcome outcome = folder.run(command + "changed.png " + option);
     EXPECT_EQ(outcome.exit_code, 0) << option << ": " << outcome.err;
     EXPECT_NE(folder.read("changed.png"), plain) << option << " changes nothing";
+  }
+}
+
+TEST(Cli, OptionsThatNeedTheRightPictureChangeIt) {
+  const Folder folder;
+  // A bent, open strip of unequal faces.
+  folder.write("strip.obj",
+               "v 0 0 0\nv 2 0 0\nv 0 1 0\nv 2 1 0\nv 0 1 -1\nv 2 1 -1\nf 1 2 4\nf 1 4 3\n"
+               "f 3 4 6 5\n");
+  struct Pair {
+    const char *command, *option;
+  };
+  for (const auto& [command, option] :
+       {Pair{"strip.obj", "--crease 30"}, Pair{"strip.obj", "--normals area"},
+        Pair{"strip.obj --azimuth 200", "--sides front"},
+        Pair{"strip.obj --shading gouraud --light 0,0,1", "--interpolation screen-linear"},
+        Pair{"sphere:4 --shading gouraud --ambient 9 --exposure -3", "--clamp-vertex-colours"}}) {
+    const std::string render = std::string("render --size 90x70 ") + command;
+    EXPECT_EQ(folder.run(render + " -o plain.png").err, "");
+    EXPECT_EQ(folder.run(render + " -o changed.png " + option).exit_code, 0) << option;
+    EXPECT_NE(folder.read("changed.png"), folder.read("plain.png")) << option;
   }
 }
 
