@@ -37,8 +37,8 @@ struct Rgb {
   Rgb(const T& red, const T& green, const T& blue) : r(red), g(green), b(blue) {}
   explicit Rgb(const T& grey) : r(grey), g(grey), b(grey) {}
 
-  friend Rgb operator+(const Rgb& a, const Rgb& b) { return {a.r + b.r, a.g + b.g, a.b + b.b}; }
-  friend Rgb operator-(const Rgb& a, const Rgb& b) { return {a.r - b.r, a.g - b.g, a.b - b.b}; }
+  friend Rgb operator+(const Rgb& p, const Rgb& q) { return {p.r + q.r, p.g + q.g, p.b + q.b}; }
+  friend Rgb operator-(const Rgb& p, const Rgb& q) { return {p.r - q.r, p.g - q.g, p.b - q.b}; }
   friend bool operator==(const Rgb&, const Rgb&) = default;
 };
 
