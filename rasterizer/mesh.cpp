@@ -4,6 +4,7 @@
 #include <fstream>
 #include <mutex>
 #include <sstream>
+#include <utility>
 
 #include "rasterizer/error.h"
 #include "rasterizer/mesh_closed.h"
@@ -30,26 +31,19 @@ const std::vector<FileFormat>& formats() {
   return all;
 }
 
-/// While it lives, what OpenMesh would print on stderr is caught instead.
-class CaughtOutput {
+/// While it lives, OpenMesh prints nothing: what it has to say of a face, Repairs counts.
+class QuietOpenMesh {
  public:
-  CaughtOutput() {
-    omerr().disconnect(std::cerr);
-    omlog().disconnect(std::clog);
-    omerr().connect(text_);
+  QuietOpenMesh() {
+    omerr().disable();
+    omlog().disable();
   }
-  ~CaughtOutput() {
-    omerr().disconnect(text_);
-    omlog().connect(std::clog);
-    omerr().connect(std::cerr);
+  ~QuietOpenMesh() {
+    omerr().enable();
+    omlog().enable();
   }
-  CaughtOutput(const CaughtOutput&) = delete;
-  CaughtOutput& operator=(const CaughtOutput&) = delete;
-
-  std::string first_line() const { return text_.str().substr(0, text_.str().find('\n')); }
-
- private:
-  std::ostringstream text_;
+  QuietOpenMesh(const QuietOpenMesh&) = delete;
+  QuietOpenMesh& operator=(const QuietOpenMesh&) = delete;
 };
 
 std::string read_file(const std::filesystem::path& file, const std::string& name) {
@@ -98,13 +92,13 @@ OpenMesh::IO::Options request_attributes(const CheckedFile& file, PolyMesh& mesh
 void read_with_openmesh(CheckedFile& file, const std::string& suffix, const std::string& name,
                         PolyMesh& mesh, MeshImporter& importer) {
   const OpenMesh::IO::Options options = request_attributes(file, mesh);
-  const CaughtOutput caught;
+  const QuietOpenMesh quiet;
   for (std::string* data : {&file.primer, &file.data}) {
     if (data->empty()) continue;
     std::istringstream in(std::move(*data));
     OpenMesh::IO::Options wanted = options;
     if (!OpenMesh::IO::IOManager().read(in, "." + suffix, importer, wanted))
-      throw Error(name, "OpenMesh cannot read it: " + caught.first_line());
+      throw Error(name, "OpenMesh cannot read it");
   }
   const std::size_t taken = mesh.n_faces() + importer.repairs().dropped - file.repairs.dropped;
   if (taken != file.faces)
@@ -114,6 +108,7 @@ void read_with_openmesh(CheckedFile& file, const std::string& suffix, const std:
     mesh.set_normal(OpenMesh::VertexHandle(int(i)), to_openmesh(file.normals[i]));
   for (std::size_t i = 0; i < file.texcoords.size(); ++i)
     mesh.set_texcoord2D(OpenMesh::VertexHandle(int(i)), to_openmesh(file.texcoords[i]));
+  importer.complete_copies();
 }
 
 /// The flat mesh with all that can be said of it.
@@ -149,7 +144,7 @@ Mesh make_mesh(std::string name, const std::vector<glm::vec3>& positions,
                const std::vector<std::vector<std::uint32_t>>& faces, const MeshOptions& options) {
   PolyMesh mesh;
   MeshImporter importer(mesh);
-  const CaughtOutput caught;
+  const QuietOpenMesh quiet;
   for (const glm::vec3& p : positions) mesh.add_vertex(to_openmesh(p));
   MeshImporter::VHandles corners;
   for (std::size_t f = 0; f < faces.size(); ++f) {

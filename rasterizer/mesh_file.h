@@ -75,6 +75,9 @@ class Lines {
   std::vector<std::string_view> words_;
 };
 
+/// The text with ? for everything but printable ASCII: what files hold may end up on a terminal.
+std::string printable(std::string_view text);
+
 /// Throws where the text holds a zero byte, as UTF-16 does and a binary file mostly.
 void expect_text(const std::string& name, std::string_view text);
 

@@ -64,14 +64,10 @@ class OmChecker {
     if (chunk.type_ == Chunk::Type_Topology) {
       const std::size_t integer = std::size_t(1) << chunk.bits_;
       switch (chunk.entity_) {
-        case Chunk::Entity_Vertex:
-          return check_vertex_links(integer);
-        case Chunk::Entity_Halfedge:
-          return check_edges(integer);
-        case Chunk::Entity_Face:
-          return check_faces(integer);
-        default:
-          throw Error(name_, "malformed: topology of no known kind");
+        case Chunk::Entity_Vertex: return check_vertex_links(integer);
+        case Chunk::Entity_Halfedge: return check_edges(integer);
+        case Chunk::Entity_Face: return check_faces(integer);
+        default: throw Error(name_, "malformed: topology of no known kind");
       }
     }
     if (chunk.entity_ == Chunk::Entity_Vertex && is_vector(chunk, Chunk::Type_Pos, 3))
@@ -92,18 +88,12 @@ class OmChecker {
 
   std::size_t count_of(const Chunk::Header& chunk) const {
     switch (chunk.entity_) {
-      case Chunk::Entity_Vertex:
-        return vertices_;
-      case Chunk::Entity_Face:
-        return faces_;
-      case Chunk::Entity_Edge:
-        return edges_;
-      case Chunk::Entity_Halfedge:
-        return 2 * edges_;
-      case Chunk::Entity_Mesh:
-        return 1;
-      default:
-        throw Error(name_, "malformed: a chunk of no known kind");
+      case Chunk::Entity_Vertex: return vertices_;
+      case Chunk::Entity_Face: return faces_;
+      case Chunk::Entity_Edge: return edges_;
+      case Chunk::Entity_Halfedge: return 2 * edges_;
+      case Chunk::Entity_Mesh: return 1;
+      default: throw Error(name_, "malformed: a chunk of no known kind");
     }
   }
 

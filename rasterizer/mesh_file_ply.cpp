@@ -45,22 +45,14 @@ class BinaryRows {
   }
   double next(PlyType type) {
     switch (type) {
-      case PlyType::i8:
-        return take<std::int8_t>();
-      case PlyType::u8:
-        return take<std::uint8_t>();
-      case PlyType::i16:
-        return take<std::int16_t>();
-      case PlyType::u16:
-        return take<std::uint16_t>();
-      case PlyType::i32:
-        return take<std::int32_t>();
-      case PlyType::u32:
-        return take<std::uint32_t>();
-      case PlyType::f32:
-        return double(take<float>());
-      case PlyType::f64:
-        return take<double>();
+      case PlyType::i8: return take<std::int8_t>();
+      case PlyType::u8: return take<std::uint8_t>();
+      case PlyType::i16: return take<std::int16_t>();
+      case PlyType::u16: return take<std::uint16_t>();
+      case PlyType::i32: return take<std::int32_t>();
+      case PlyType::u32: return take<std::uint32_t>();
+      case PlyType::f32: return double(take<float>());
+      case PlyType::f64: return take<double>();
     }
     return 0;
   }
@@ -68,7 +60,7 @@ class BinaryRows {
     const std::string row = element_ ? element_->name + " " + std::to_string(row_) + " of " +
                                            std::to_string(element_->count) + " (counted from 0): "
                                      : "";
-    throw Error(name_, row + what);
+    throw Error(name_, printable(row + what));
   }
 
  private:

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -11,9 +12,7 @@ constexpr std::string_view blanks = " \t\v\f";
 
 std::string quoted(std::string_view word) {
   constexpr std::size_t longest = 40;
-  std::string text = "'";
-  for (const char c : word.substr(0, longest)) text += c >= ' ' && c != 127 ? c : '?';
-  return text + (word.size() > longest ? "...'" : "'");
+  return "'" + std::string(word.substr(0, longest)) + (word.size() > longest ? "...'" : "'");
 }
 
 template <class T>
@@ -27,6 +26,13 @@ void append(std::string& text, T value) {
 
 void append_number(std::string& text, float value) { append(text, value); }
 void append_number(std::string& text, std::int64_t value) { append(text, value); }
+
+std::string printable(std::string_view text) {
+  std::string result(text);
+  std::ranges::replace_if(
+      result, [](char c) { return c < ' ' || c > '~'; }, '?');
+  return result;
+}
 
 void expect_text(const std::string& name, std::string_view text) {
   if (text.find('\0') != std::string_view::npos)
@@ -67,7 +73,7 @@ bool Lines::split_line() {
 }
 
 void Lines::fail(const std::string& what) const {
-  throw Error(name_ + ":" + std::to_string(line_), what);
+  throw Error(name_ + ":" + std::to_string(line_), printable(what));
 }
 
 void Lines::expect_words(std::size_t at_least, const std::string& what) const {

@@ -223,13 +223,13 @@ Mesh flatten(const PolyMesh& mesh, std::span<const std::uint32_t> originals, std
         pool.vertex(v, points[v], normal, has_texcoords ? own_texcoord(mesh, h) : glm::vec2(0)));
   }
   if (replaced > 0)
-    result.warnings.push_back(std::to_string(replaced) +
-                              " triangle corners without a normal (none, zero or not finite) among "
-                              "others that have one: computed");
+    result.warnings.push_back(counted(replaced, "triangle corner") +
+                              " without a normal (none, zero or not finite) where others have one: "
+                              "computed");
   if (corners.badly_cut > 0)
-    result.warnings.push_back(std::to_string(corners.badly_cut) +
-                              " polygons whose outline crosses itself or is too long to be cut "
-                              "well: drawn as fans");
+    result.warnings.push_back(counted(corners.badly_cut, "polygon") +
+                              " whose outline crosses itself, or is concave and has more than 1000 "
+                              "corners: drawn as fan");
   return result;
 }
 

@@ -6,32 +6,27 @@ namespace {
 
 // OpenMesh walks around a vertex for every face it adds there: without this bound a cone of 100,000
 // segments takes minutes. A vertex with more faces goes on in a copy.
-constexpr int max_faces_at_vertex = 256;
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + (count == 1 ? " face " : " faces ") + what;
-}
+constexpr int max_faces_at_vertex = 128;
 
 }  // namespace
 
 std::vector<std::string> Repairs::warnings() const {
   std::vector<std::string> lines;
   if (complex > 0)
-    lines.push_back(counted(complex,
-                            "at an edge or vertex that no surface has (a third face, or a face "
-                            "turned over): drawn with vertices of their own"));
+    lines.push_back(counted(complex, "face") +
+                    " at an edge or vertex that no surface has (a third face, or a face turned "
+                    "over): drawn with vertices of their own");
   if (repeated > 0)
-    lines.push_back(counted(repeated, "with a vertex named more than once: drawn with copies"));
-  if (dropped > 0) lines.push_back(counted(dropped, "of fewer than 3 distinct vertices: dropped"));
+    lines.push_back(counted(repeated, "face") +
+                    " with a vertex named more than once: drawn with copies");
+  if (dropped > 0)
+    lines.push_back(counted(dropped, "face") + " of fewer than 3 distinct vertices: dropped");
   return lines;
 }
 
 OpenMesh::VertexHandle MeshImporter::copy_of(VertexHandle vertex) {
   const std::uint32_t original = originals()[std::size_t(vertex.idx())];
   const VertexHandle copy = mesh_.add_vertex(PolyMesh::Point(mesh_.point(vertex)));
-  if (mesh_.has_vertex_normals()) mesh_.set_normal(copy, PolyMesh::Normal(mesh_.normal(vertex)));
-  if (mesh_.has_vertex_texcoords2D())
-    mesh_.set_texcoord2D(copy, PolyMesh::TexCoord2D(mesh_.texcoord2D(vertex)));
   originals_.push_back(original);
   return copy;
 }
@@ -80,7 +75,8 @@ void MeshImporter::for_corners(FaceHandle face, Set set) {
   OpenMesh::HalfedgeHandle corner = mesh_.halfedge_handle(face);
   while (mesh_.to_vertex_handle(corner) != first_corner_)
     corner = mesh_.next_halfedge_handle(corner);
-  for (std::size_t i = 0; i < mesh_.valence(face); ++i) {
+  const std::size_t count = mesh_.valence(face);
+  for (std::size_t i = 0; i < count; ++i) {
     set(corner, i);
     corner = mesh_.next_halfedge_handle(corner);
   }
@@ -101,6 +97,15 @@ void MeshImporter::add_face_texcoords(FaceHandle face, VertexHandle,
 // OpenMesh's OBJ reader hands over those of all faces so far, again for each face.
 void MeshImporter::add_face_texcoords(FaceHandle, VertexHandle,
                                       const std::vector<OpenMesh::Vec3f>&) {}
+
+void MeshImporter::complete_copies() {
+  for (std::size_t i = 0; i < originals().size(); ++i) {
+    const VertexHandle copy(static_cast<int>(i)), original(static_cast<int>(originals_[i]));
+    if (copy == original) continue;
+    if (mesh_.has_vertex_normals()) mesh_.set_normal(copy, mesh_.normal(original));
+    if (mesh_.has_vertex_texcoords2D()) mesh_.set_texcoord2D(copy, mesh_.texcoord2D(original));
+  }
+}
 
 const std::vector<std::uint32_t>& MeshImporter::originals() {
   while (originals_.size() < mesh_.n_vertices())

@@ -21,6 +21,11 @@ inline glm::vec2 to_glm(const OpenMesh::Vec2f& v) { return {v[0], v[1]}; }
 inline OpenMesh::Vec3f to_openmesh(const glm::vec3& v) { return {v.x, v.y, v.z}; }
 inline OpenMesh::Vec2f to_openmesh(const glm::vec2& v) { return {v.x, v.y}; }
 
+/// "1 face", "2 faces".
+inline std::string counted(std::size_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
 /// Faces that could not be taken as they are, by what was done about it.
 struct Repairs {
   std::size_t complex = 0;   // no manifold takes them: drawn with vertices of their own
@@ -48,6 +53,10 @@ class MeshImporter : public OpenMesh::IO::ImporterT<PolyMesh> {
   void add_face_texcoords(FaceHandle face, VertexHandle first,
                           const std::vector<OpenMesh::Vec2f>& texcoords) override;
   void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<OpenMesh::Vec3f>&) override;
+
+  /// Gives copied vertices the normals and texture coordinates of their originals, once those have
+  /// theirs: some files say them after the faces.
+  void complete_copies();
 
   const Repairs& repairs() const { return repairs_; }
 

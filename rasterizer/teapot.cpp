@@ -54,8 +54,8 @@ Patch placed(const double (&published)[4][4][3]) {
       const double(&p)[3] = published[i][j];
       patch.control[i][j] = shape_from_teapot({p[0], p[1], p[2]});
     }
-  // On top of the knob, points that should be one are .002 apart. Left so, they make a pinhole
-  // whose border has normals in all directions.
+  // On top of the knob, points that should be one are .002 apart in the data. Left so, they make a
+  // pinhole whose border has normals in all directions.
   constexpr double one_point = 0.003;
   dvec3(&edge)[4] = patch.control[0];
   if (std::ranges::all_of(edge, [&](const dvec3& p) { return distance(p, edge[0]) < one_point; }))

@@ -1,0 +1,401 @@
+#include "rasterizer/mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <set>
+#include <tuple>
+
+#include "tests/unit/mesh_files.h"
+
+namespace scanlit {
+namespace {
+
+using MeshTest = MeshFiles;
+
+const std::string tetrahedron_obj =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+
+std::string binary_stl_tetrahedron() {
+  const glm::vec3 point[] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  // "solid" in front of binary data, as some programs write it
+  std::string bytes = "solid" + std::string(75, ' ') + bytes_of(std::uint32_t(4));
+  for (const auto& face : {std::tuple(0, 2, 1), {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+    const auto [a, b, c] = face;
+    bytes += bytes_of(glm::vec3(0)) + bytes_of(point[a]) + bytes_of(point[b]) + bytes_of(point[c]) +
+             bytes_of(std::uint16_t(0));
+  }
+  return bytes;
+}
+
+std::string ascii_stl_tetrahedron() {
+  const std::string point[] = {"0 0 0", "1 0 0", "0 1 0", "0 0 1"};
+  std::string text = "solid outer space\n";  // "outer" in the name is not a facet
+  for (const auto& face : {std::tuple(0, 2, 1), {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+    const auto [a, b, c] = face;
+    text += "facet normal 0 0 0\n outer loop\n  vertex " + point[a] + "\n  vertex " + point[b] +
+            "\n  vertex " + point[c] + "\n endloop\nendfacet\n";
+  }
+  return text + "endsolid outer space\n";
+}
+
+std::string big_endian(std::string bytes) { return {bytes.rbegin(), bytes.rend()}; }
+
+// With double coordinates, elements and properties that are not drawn, and lists of long counts.
+std::string binary_ply_tetrahedron(bool big) {
+  const auto put = [&](auto value) { return big ? big_endian(bytes_of(value)) : bytes_of(value); };
+  std::string bytes = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                      "_endian 1.0\ncomment made by a test\nelement vertex 4\n"
+                      "property double x\nproperty double y\nproperty double z\n"
+                      "property uchar red\nelement edge 1\nproperty short length\n"
+                      "element face 4\nproperty list uint float quality\n"
+                      "property list int ushort vertex_index\nend_header\n";
+  for (const auto& p : {glm::dvec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+    bytes += put(p.x) + put(p.y) + put(p.z) + put(std::uint8_t(255));
+  bytes += put(std::int16_t(-1));
+  for (const auto& face : {std::tuple(0, 2, 1), {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}) {
+    const auto [a, b, c] = face;
+    bytes += put(std::uint32_t(1)) + put(0.5f) + put(std::int32_t(3)) + put(std::uint16_t(a)) +
+             put(std::uint16_t(b)) + put(std::uint16_t(c));
+  }
+  return bytes;
+}
+
+// Version 1.2: faces are lists of vertices. Chunk headers: vertex positions, face topology, end.
+std::string om_tetrahedron() {
+  std::string bytes = "OMT" + bytes_of(std::uint8_t(1 << 5 | 2)) + bytes_of(std::uint32_t(4)) +
+                      bytes_of(std::uint32_t(4)) + bytes_of(std::uint32_t(6));
+  bytes += bytes_of(std::uint16_t(0x1600));
+  for (const auto& p : {glm::vec3(0, 0, 0), {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) bytes += bytes_of(p);
+  bytes += bytes_of(std::uint16_t(2 << 2 | 7 << 5));
+  for (const int i : {0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2}) bytes += bytes_of(std::int8_t(i));
+  return bytes + bytes_of(std::uint16_t(0x1c));
+}
+
+void expect_tetrahedron(const Mesh& mesh) {
+  EXPECT_EQ(mesh.triangle_count(), 4u);
+  EXPECT_EQ(mesh.positions.size(), 4u);
+  EXPECT_TRUE(mesh.closed);
+  EXPECT_TRUE(mesh.warnings.empty());
+  EXPECT_TRUE(mesh.texcoords.empty());
+  std::set<std::tuple<float, float, float>> corners;
+  for (const glm::vec3& p : mesh.positions) corners.emplace(p.x, p.y, p.z);
+  EXPECT_EQ(corners, (decltype(corners){{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}));
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR(glm::length(mesh.normals[i]), 1, 1e-6);
+    EXPECT_GT(glm::dot(mesh.normals[i], mesh.positions[i] - glm::vec3(0.25f)), 0);
+  }
+}
+
+TEST_F(MeshTest, ReadsEveryFormat) {
+  for (const auto& [name, bytes] : std::vector<std::pair<std::string, std::string>>{
+           {"t.obj", tetrahedron_obj},
+           {"t.OFF", "OFF\n4 4 6\n" + tetrahedron_points + tetrahedron_faces},
+           {"t.ply", ascii_ply(tetrahedron_points, 4, tetrahedron_faces, 4)},
+           {"little.ply", binary_ply_tetrahedron(false)},
+           {"big.ply", binary_ply_tetrahedron(true)},
+           {"text.stl", ascii_stl_tetrahedron()},
+           {"binary.stl", binary_stl_tetrahedron()},
+           {"t.om", om_tetrahedron()}}) {
+    SCOPED_TRACE(name);
+    expect_tetrahedron(load(name, bytes));
+  }
+}
+
+TEST_F(MeshTest, ReadsFilesAfterEachOtherWhateverTheOneBeforeHeld) {
+  const std::string with_normals =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float "
+      "z\nproperty float nx\nproperty float ny\nproperty float nz\nelement face 1\nproperty list "
+      "uchar int vertex_indices\nend_header\n0 0 0 0 1 0\n1 0 0 0 1 0\n0 1 0 0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(load("n.ply", with_normals).normals[0], glm::vec3(0, 1, 0));
+  expect_tetrahedron(load("t.ply", ascii_ply(tetrahedron_points, 4, tetrahedron_faces, 4)));
+  EXPECT_EQ(load("n.ply", with_normals).normals[0], glm::vec3(0, 1, 0));
+}
+
+TEST_F(MeshTest, ReadsObjAsPeopleWriteIt) {
+  expect_tetrahedron(load("relative.obj",
+                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nf -3 -1 -2\nv 0 0 1\nf 1 2 -1\nf 2 3 -1\n"
+                          "f -4 -1 -2\n"));
+  expect_tetrahedron(load("forward.obj",
+                          "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
+                          "v 0 0 1\n"));
+  std::string mac = tetrahedron_obj, windows;
+  for (char& c : mac) {
+    windows += c == '\n' ? "\r\n" : std::string(1, c);
+    if (c == '\n') c = '\r';
+  }
+  expect_tetrahedron(load("mac.obj", mac));
+  expect_tetrahedron(load("windows.obj", "\xef\xbb\xbf" + windows));
+  expect_tetrahedron(
+      load("odd.obj",
+           "mtllib /dev/zero\no a#b\nusemtl none\nv +0 0. -0 1\nv 1e0 .0 0 .5 .5 .5\n"
+           "v 0 1.0E+00 0\nv 0 1e-400 1\nl 1 2\np 1\nf 1 3 \\\n 2 # three\n"
+           "f 1/ 2// 4\nf 2 3 4\nf 1 4 3"));
+}
+
+TEST_F(MeshTest, ReadsOffWithCommentsColoursAndVertexNormals) {
+  const Mesh mesh = load("t.off",
+                         "STCNOFF # all of it\n\n3 1 0\n0 0 0 0 1 0 255 0 0 .25 .75\n"
+                         "1 0 0  0 2 0  0 255 0  1 0\n# between\n0 1 0 0 1 0 0 0 255 0 1\n"
+                         "3 0 1 2 255 255 0\n");
+  ASSERT_EQ(mesh.positions.size(), 3u);
+  for (const glm::vec3& n : mesh.normals) EXPECT_EQ(n, glm::vec3(0, 1, 0));
+  EXPECT_EQ(mesh.texcoords[0], glm::vec2(.25f, .75f));
+}
+
+TEST_F(MeshTest, CopiedVerticesKeepTheirNormals) {
+  // Three faces at the edge 0-1: two of them get vertices of their own.
+  const Mesh mesh = load("t.off",
+                         "NOFF\n5 3 0\n0 0 0 0 1 0\n0 0 1 0 1 0\n1 0 0 0 1 0\n0 1 0 0 1 0\n"
+                         "-1 0 0 0 1 0\n3 0 1 2\n3 0 1 3\n3 0 1 4\n");
+  EXPECT_EQ(mesh.warnings.size(), 1u);
+  for (const glm::vec3& n : mesh.normals) EXPECT_EQ(n, glm::vec3(0, 1, 0));
+}
+
+TEST_F(MeshTest, KeepsObjNormalsAndTexcoordsPerCorner) {
+  const Mesh mesh = load("t.obj",
+                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt .5\nvn 0 0 5\n"
+                         "vn 0 1 0\nf 1/1/1 2/2/1 3/3/1\nf 1/1/2 3/2/1 4/3/1\n");
+  // Vertex 1 has two normals, vertex 3 two texture coordinates.
+  ASSERT_EQ(mesh.positions.size(), 6u);
+  const auto corner = [&](std::size_t i) { return mesh.indices[i]; };
+  EXPECT_EQ(mesh.normals[corner(0)], glm::vec3(0, 0, 1));
+  EXPECT_EQ(mesh.normals[corner(3)], glm::vec3(0, 1, 0));
+  EXPECT_EQ(mesh.texcoords[corner(2)], glm::vec2(.5f, 0));
+  EXPECT_EQ(mesh.texcoords[corner(4)], glm::vec2(1, 0));
+  EXPECT_EQ(mesh.positions[corner(2)], mesh.positions[corner(4)]);
+}
+
+TEST_F(MeshTest, ComputesNormalsWhereTheFileHasNoneThatCanBeUsed) {
+  for (const std::string bad : {"0 0 0", "nan 0 1", "inf 0 0"}) {
+    const Mesh mesh =
+        load("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn " + bad + "\nvn 0 1 0\nf 1//1 2//2 3//2\n");
+    EXPECT_EQ(mesh.normals[mesh.indices[0]], glm::vec3(0, 0, 1)) << bad;
+    EXPECT_EQ(mesh.normals[mesh.indices[1]], glm::vec3(0, 1, 0)) << bad;
+    EXPECT_EQ(mesh.warnings.size(), 1u);
+  }
+}
+
+TEST_F(MeshTest, SmoothsAcrossATextureSeam) {
+  // A roof whose ridge 1-2 has different texture coordinates on its two sides.
+  const Mesh mesh = load("roof.obj",
+                         "v 0 1 0\nv 0 1 -1\nv -1 0 0\nv 1 0 0\nvt 0 0\nvt 1 1\n"
+                         "f 1/1 2/1 3/1\nf 2/2 1/2 4/2\n");
+  ASSERT_EQ(mesh.positions.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i)
+    if (mesh.positions[i].y == 1) {
+      EXPECT_NEAR(mesh.normals[i].x, 0, 1e-6);
+    }
+}
+
+TEST(MakeMesh, WeightsNormalsByAngleOrArea) {
+  // At the origin a long triangle facing +z and a short one facing +x, both with a right angle.
+  const std::vector<glm::vec3> points = {{0, 0, 0}, {3, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  const std::vector<std::vector<std::uint32_t>> faces = {{0, 1, 2}, {0, 2, 3}};
+  const Mesh by_angle = make_mesh("m", points, faces);
+  EXPECT_NEAR(by_angle.normals[0].x, by_angle.normals[0].z, 1e-6);
+  const Mesh by_area = make_mesh("m", points, faces, {NormalWeight::area, {}});
+  EXPECT_NEAR(by_area.normals[0].z, 3 * by_area.normals[0].x, 1e-6);
+}
+
+std::vector<glm::vec3> cube_points() {
+  std::vector<glm::vec3> points;
+  for (int i = 0; i < 8; ++i) points.emplace_back(i & 1, i >> 1 & 1, i >> 2);
+  return points;
+}
+const std::vector<std::vector<std::uint32_t>> cube_faces = {
+    {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+
+TEST(MakeMesh, SplitsNormalsAtCreases) {
+  const auto cube = [](std::optional<double> crease_deg) {
+    return make_mesh("cube", cube_points(), cube_faces, {NormalWeight::angle, crease_deg});
+  };
+  EXPECT_EQ(cube({}).positions.size(), 8u);
+  EXPECT_EQ(cube(90).positions.size(), 8u) << "90 is not larger than 90";
+  const Mesh sharp = cube(89);
+  EXPECT_EQ(sharp.positions.size(), 24u);
+  EXPECT_TRUE(sharp.closed);
+  for (std::size_t i = 0; i < sharp.indices.size(); i += 3) {
+    const auto p = [&](std::size_t k) { return sharp.positions[sharp.indices[i + k]]; };
+    const glm::vec3 face = glm::normalize(glm::cross(p(1) - p(0), p(2) - p(0)));
+    for (std::size_t k = 0; k < 3; ++k)
+      EXPECT_NEAR(glm::dot(sharp.normals[sharp.indices[i + k]], face), 1, 1e-6);
+  }
+  EXPECT_THROW(cube(181), Error);
+  EXPECT_THROW(cube(-1), Error);
+  EXPECT_THROW(cube(std::numeric_limits<double>::quiet_NaN()), Error);
+}
+
+TEST(MakeMesh, CreaseOfOneEdgeEndsInASmoothVertex) {
+  // A disc that hangs down on both sides of the edge 0-1: there the faces meet at 43 degrees, at no
+  // other edge at more than 15.
+  std::vector<glm::vec3> points = {{0, 0, 0}};
+  std::vector<std::vector<std::uint32_t>> faces;
+  constexpr std::uint32_t segments = 24;
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    const double angle_rad = 6.283185307179586 * i / segments;
+    points.emplace_back(std::cos(angle_rad), std::sin(angle_rad), -0.8 * std::sin(angle_rad / 2));
+    faces.push_back({0, i + 1, (i + 1) % segments + 1});
+  }
+  const Mesh mesh = make_mesh("disc", points, faces, {NormalWeight::angle, 30});
+  // One normal at the centre, where the crease ends, and two at its other end.
+  EXPECT_EQ(mesh.positions.size(), points.size() + 1);
+  EXPECT_EQ(std::ranges::count(mesh.positions, points[0]), 1);
+  EXPECT_EQ(std::ranges::count(mesh.positions, points[1]), 2);
+}
+
+TEST_F(MeshTest, CreaseOverridesTheFilesNormals) {
+  const std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 1 0\nf 1//1 2//1 3//1\n";
+  EXPECT_EQ(load("t.obj", text).normals[0], glm::vec3(0, 1, 0));
+  EXPECT_EQ(load("t.obj", text, {NormalWeight::angle, 30}).normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST(MakeMesh, ClosedMeansOutwardWithoutBoundary) {
+  EXPECT_TRUE(make_mesh("cube", cube_points(), cube_faces).closed);
+
+  auto open = cube_faces;
+  open.pop_back();
+  EXPECT_FALSE(make_mesh("open", cube_points(), open).closed);
+
+  auto turned = cube_faces;
+  std::ranges::reverse(turned[0]);
+  EXPECT_FALSE(make_mesh("turned", cube_points(), turned).closed);
+
+  auto inside_out = cube_faces;
+  for (auto& face : inside_out) std::ranges::reverse(face);
+  const Mesh mesh = make_mesh("inside out", cube_points(), inside_out);
+  EXPECT_FALSE(mesh.closed);
+  ASSERT_EQ(mesh.warnings.size(), 1u);
+  EXPECT_TRUE(mesh.warnings[0].starts_with("it is inside out")) << mesh.warnings[0];
+
+  auto doubled = cube_faces;  // an edge shared by four triangles
+  doubled.insert(doubled.end(), cube_faces.begin(), cube_faces.end());
+  EXPECT_FALSE(make_mesh("doubled", cube_points(), doubled).closed);
+}
+
+TEST(MakeMesh, ClosedLooksAtPositionsNotAtIndices) {
+  std::vector<glm::vec3> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (const auto& face : cube_faces) {
+    faces.emplace_back();
+    for (const std::uint32_t v : face) {
+      faces.back().push_back(std::uint32_t(points.size()));
+      points.push_back(cube_points()[v]);
+    }
+  }
+  EXPECT_TRUE(make_mesh("cube of six loose faces", points, faces).closed);
+}
+
+TEST(MakeMesh, DrawsWhatOpenMeshRefuses) {
+  const std::vector<glm::vec3> points = {{0, 0, 0}, {0, 1, 0},  {1, 0, 0},
+                                         {0, 0, 1}, {0, 0, -1}, {-1, 0, 0}};
+  // Four faces at the edge 0-1, two of them turned the same way.
+  const Mesh book = make_mesh("book", points, {{0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {0, 1, 5}});
+  EXPECT_EQ(book.triangle_count(), 4u);
+  ASSERT_EQ(book.warnings.size(), 1u);
+  EXPECT_TRUE(book.warnings[0].starts_with("3 faces at an edge")) << book.warnings[0];
+
+  const Mesh repeated = make_mesh("repeated", points, {{0, 0, 1, 2, 0}, {0, 2, 0}, {1, 1}, {}});
+  EXPECT_EQ(repeated.triangle_count(), 1u);
+  ASSERT_EQ(repeated.warnings.size(), 2u);
+  EXPECT_TRUE(repeated.warnings[0].starts_with("1 face with a vertex named more than once"));
+  EXPECT_TRUE(repeated.warnings[1].starts_with("3 faces of fewer than 3 distinct vertices"));
+}
+
+TEST(MakeMesh, SmoothsOverAVertexOfVeryManyFaces) {
+  constexpr std::uint32_t segments = 1000;  // more than are put around one OpenMesh vertex
+  std::vector<glm::vec3> points = {{0, 1, 0}};
+  std::vector<std::vector<std::uint32_t>> faces;
+  for (std::uint32_t i = 0; i < segments; ++i) {
+    const double angle_rad = 6.283185307179586 * i / segments;
+    points.emplace_back(std::sin(angle_rad), 0, std::cos(angle_rad));
+    faces.push_back({0, i + 1, (i + 1) % segments + 1});
+  }
+  const Mesh mesh = make_mesh("cone", points, faces);
+  EXPECT_TRUE(mesh.warnings.empty());
+  EXPECT_EQ(mesh.triangle_count(), segments);
+  for (const std::uint32_t i : mesh.indices)
+    if (mesh.positions[i].y == 1) {
+      EXPECT_GT(mesh.normals[i].y, 0.99999f);
+    }
+}
+
+TEST(MakeMesh, NormalsAreUnitWhateverTheTriangles) {
+  const auto normals = [](const std::vector<glm::vec3>& points,
+                          const std::vector<std::vector<std::uint32_t>>& faces) {
+    return make_mesh("m", points, faces).normals;
+  };
+  const glm::vec3 z{0, 0, 1};
+  // zero area; the two sides of a sheet; the smallest and the largest floats
+  for (const glm::vec3& n : normals({{0, 0, 0}, {1, 1, 1}, {2, 2, 2}}, {{0, 1, 2}}))
+    EXPECT_EQ(n, z);
+  for (const glm::vec3& n : normals({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}, {2, 1, 0}}))
+    EXPECT_EQ(std::abs(n.z), 1);
+  for (const glm::vec3& n : normals({{0, 0, 0}, {1e-44f, 0, 0}, {0, 1e-44f, 0}}, {{0, 1, 2}}))
+    EXPECT_EQ(n, z);
+  for (const glm::vec3& n : normals({{-3e38f, 0, 0}, {3e38f, 0, 0}, {0, 3e38f, 0}}, {{0, 1, 2}}))
+    EXPECT_EQ(n, z);
+}
+
+TEST(MakeMesh, LeavesOutVerticesWithoutAFace) {
+  const Mesh mesh =
+      make_mesh("m", {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}}, {{1, 2, 4}});
+  ASSERT_EQ(mesh.positions.size(), 3u);
+  EXPECT_EQ(mesh.positions[2], glm::vec3(0, 1, 0));
+}
+
+/// The area, and that no triangle of the flat polygon is turned over.
+double area_of(const Mesh& mesh) {
+  double area = 0;
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const auto p = [&](std::size_t k) { return glm::dvec3(mesh.positions[mesh.indices[i + k]]); };
+    const double z = glm::cross(p(1) - p(0), p(2) - p(0)).z;
+    EXPECT_GE(z, 0);
+    area += z / 2;
+  }
+  return area;
+}
+
+/// A polygon of `corners` corners, every other one near the centre.
+Mesh star(std::uint32_t corners) {
+  std::vector<glm::vec3> points;
+  std::vector<std::uint32_t> outline;
+  for (std::uint32_t i = 0; i < corners; ++i) {
+    const double angle_rad = 6.283185307179586 * i / corners, radius = i % 2 ? 0.2 : 1;
+    points.emplace_back(radius * std::cos(angle_rad), radius * std::sin(angle_rad), 0);
+    outline.push_back(i);
+  }
+  return make_mesh("star", points, {outline});
+}
+
+TEST(MakeMesh, CutsConcavePolygons) {
+  const Mesh l_shape =
+      make_mesh("L", {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}},
+                {{3, 4, 5, 0, 1, 2}});
+  EXPECT_EQ(l_shape.triangle_count(), 4u);
+  EXPECT_DOUBLE_EQ(area_of(l_shape), 3);
+
+  const Mesh cut = star(24);
+  EXPECT_TRUE(cut.warnings.empty());
+  EXPECT_NEAR(area_of(cut), 12 * 0.2 * std::sin(6.2831853 / 24), 1e-6);
+}
+
+TEST(MakeMesh, SaysWhereAPolygonIsTooLongToBeCut) {
+  const Mesh fan = star(1002);
+  EXPECT_EQ(fan.triangle_count(), 1000u);
+  ASSERT_EQ(fan.warnings.size(), 1u);
+  EXPECT_TRUE(fan.warnings[0].starts_with("1 polygon whose outline")) << fan.warnings[0];
+}
+
+TEST(MakeMesh, CutsAPolygonWithABridgeToItsHole) {
+  // A square of side 4 with a square hole of side 2; vertices 0 and 4 are named twice.
+  const Mesh mesh = make_mesh(
+      "frame",
+      {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}, {1, 1, 0}, {3, 1, 0}, {3, 3, 0}, {1, 3, 0}},
+      {{0, 1, 2, 3, 0, 4, 7, 6, 5, 4}});
+  EXPECT_DOUBLE_EQ(area_of(mesh), 12);
+}
+
+}  // namespace
+}  // namespace scanlit
