@@ -52,7 +52,7 @@ const std::vector<Shape>& all() {
        true,
        make_trefoil},
       {{"teapot", "Newell's, open, spout towards +x, 2 wide, centred, y up",
-        "segments per side of its 32 patches; about 64 N^2 triangles", 16, 1, 395},
+        "segments per side of its 32 patches; about 64 N^2 triangles", 16, 2, 395},
        false,
        make_teapot},
   };
