@@ -1,8 +1,11 @@
 // What the golden images show. Every case is small, and says what it would catch.
+#include <cstdlib>
 #include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 
 #include "models/registry.h"
+#include "rasterizer/error.h"
+#include "rasterizer/image.h"
 #include "rasterizer/render.h"
 #include "rasterizer/shapes.h"
 #include "tests/golden/golden.h"
@@ -75,9 +78,13 @@ Framebuffer teapot(Shading shading, Shot shot = {}) {
 
 Framebuffer sphere(const char* model) { return draw(scene({object("sphere:24", model)})); }
 
+// What the vertices and edges decide, which is the same to the bit on every processor.
+constexpr Planes exact{.depth = true, .ids = true};
+
 Framebuffer teapot_with_samples(int samples) {
   Shot shot;
   shot.settings.samples = samples;
+  shot.planes = exact;
   return teapot(Shading::phong, shot);
 }
 
@@ -97,6 +104,7 @@ Framebuffer teapot_for_a_viewer_at_infinity() {
 Framebuffer near_plane_cuts_torus() {
   Shot shot;
   shot.framing = 0;
+  shot.planes = exact;
   shot.camera = {.eye = {0.5, 0.35, 1.3}, .fov_deg = 70, .near = 1.3};
   Object torus = object("torus", porcelain);
   torus.sides = Sides::both;
@@ -107,6 +115,7 @@ Framebuffer near_plane_cuts_torus() {
 Framebuffer camera_inside_cube() {
   Shot shot;
   shot.framing = 0;
+  shot.planes = exact;
   shot.camera = {.eye = {0.1, 0.2, 0.3}, .target = {-1, -0.5, -1}, .fov_deg = 100};
   Object cube = object("cube", "lambert:kd=.7/.5/.3");
   cube.sides = Sides::both;
@@ -162,6 +171,7 @@ Framebuffer colour_form_2() {
 Framebuffer foreshortened_plane(Interpolation interpolation) {
   Shot shot;
   shot.framing = 0;
+  shot.planes = exact;
   shot.camera = {.eye = {0.3, -1.4, 0.5}, .target = {0, -0.3, 0}, .up = {0, 0, 1}, .fov_deg = 60};
   shot.settings.interpolation = interpolation;
   Scene floor = scene({object("plane:1", "lambert:kd=.8", Shading::gouraud)});
@@ -181,6 +191,17 @@ Framebuffer intersecting_objects() {
              placed(object("cube", "lambert:kd=.7/.5/.3"), {-0.3, -0.2, 0.1}, 0.4f),
              placed(object("icosphere:3", porcelain, Shading::flat), {0.7, 0.3, 0.1}, 0.45f)}),
       shot);
+}
+
+// What a lesson draws, small: the program itself is run.
+Framebuffer lesson(const std::string& name, const std::string& size) {
+  const std::string picture = SCANLIT_SOURCE_DIR "/tests/out/lesson_" + name + ".exr";
+  std::filesystem::create_directories(SCANLIT_SOURCE_DIR "/tests/out");
+  const std::string command = "'" SCANLIT_LESSONS "/" + name + "' --size " + size + " -o '" +
+                              picture + "' >'" + picture + ".txt' 2>&1";
+  if (std::system(command.c_str()) != 0)
+    throw Error(picture + ".txt", "says why the lesson failed");
+  return read_image(picture);
 }
 
 }  // namespace
@@ -208,6 +229,7 @@ const std::vector<Case>& cases() {
       {"screen_linear_plane", rounding,
        [] { return foreshortened_plane(Interpolation::screen_linear); }},
       {"intersecting_objects", rounding, intersecting_objects},
+      {"lesson_01", rounding, [] { return lesson("01_three_shadings", "360x100"); }},
   };
   return all;
 }
