@@ -33,6 +33,7 @@
 //    same to the bit on every processor. Only shading may differ, by rounding.
 #pragma once
 
+#include <bit>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <span>
@@ -70,16 +71,19 @@ enum Outside : std::uint8_t {
 };
 
 /// The picture's size, and its guard band: triangles are cut at the picture's sides only where they
-/// reach 2^15 pixels beyond its centre. A picture is at most 2^14 pixels wide, so on the screen
-/// |x| <= 2^15 + 2^13 < 2^16 pixels = 2^24 units of 1/256. Differences of two positions are then
-/// below 2^25, an edge function (a difference of two products of differences) is below 2^51, and
-/// the numerator of an edge's crossing (EdgeWalker) below 2^52: 64-bit integers cannot overflow,
+/// reach 2^14 to 2^15 pixels beyond its centre. A picture is at most 2^14 pixels wide, so on the
+/// screen |x| <= 2^15 + 2^13 < 2^16 pixels = 2^24 units of 1/256. Differences of two positions are
+/// then below 2^25, an edge function (a difference of two products of differences) is below 2^51,
+/// and the numerator of an edge's crossing (EdgeWalker) below 2^52: 64-bit integers cannot overflow,
 /// and a double holds every edge function exactly.
 struct Viewport {
   int width = 0, height = 0;
 
-  float guard_x() const { return 65536.0f / float(width); }  // in clip space: |x| <= guard_x w
-  float guard_y() const { return 65536.0f / float(height); }
+  /// In clip space: |x| <= guard_x w. A power of two, so that the product is exact and outcodes (in
+  /// float) and clip (in double) agree on which side a vertex is: where they did not, of two
+  /// neighbours the one that another vertex sent to clip would move a shared vertex.
+  float guard_x() const { return float(std::bit_floor(65536u / unsigned(width))); }
+  float guard_y() const { return float(std::bit_floor(65536u / unsigned(height))); }
 };
 
 /// An object made ready for one frame.
