@@ -17,16 +17,9 @@ using Weights = std::array<Real, 3>;
 
 constexpr int size = 32;
 
-Camera eye_at_origin() {
-  Camera camera;
-  camera.eye = {0, 0, 0};
-  camera.target = {0, 0, -1};
-  camera.fov_deg = 90;  // at distance w the picture reaches from -w to w
-  camera.near = 1e-4;
-  return camera;
-}
+constexpr double near = 1e-4;
 
-/// A front face before eye_at_origin(), with what stages (3) and (5) make of its corners.
+/// A front face before eye_at_origin(near), with what stages (3) and (5) make of its corners.
 struct Case {
   std::vector<glm::vec3> positions;
   std::vector<glm::vec2> texcoords;
@@ -36,7 +29,7 @@ struct Case {
 
 Case random_case(std::mt19937_64& random, double w_decades) {
   Draw draw{};
-  draw.clip_from_object = glm::mat4(clip_from_world(eye_at_origin(), 1));
+  draw.clip_from_object = glm::mat4(clip_from_world(eye_at_origin(near), 1));
   std::uniform_real_distribution<double> on_screen(-2, 2), exponent(0, w_decades), uv(-1, 1);
   Case result;
   for (int i = 0; i < 3; ++i) {
@@ -100,8 +93,8 @@ int require_attributes(const Case& c, Interpolation interpolation, const Weights
   mesh->texcoords = c.texcoords;
   RenderSettings settings;
   settings.interpolation = interpolation;
-  const Picture picture =
-      picture_of(scene_of({object_of(mesh, ShowPoint())}), eye_at_origin(), size, size, settings);
+  const Picture picture = picture_of(scene_of({object_of(mesh, ShowPoint())}), eye_at_origin(near),
+                                     size, size, settings);
   int compared = 0;
   for (int y = 0; y < size; ++y)
     for (int x = 0; x < size; ++x) {
@@ -158,8 +151,8 @@ TEST(Interpolation, TheTwoDifferWhereDistancesDo) {
     mesh->texcoords = c.texcoords;
     RenderSettings settings;
     settings.interpolation = interpolation;
-    const Picture picture =
-        picture_of(scene_of({object_of(mesh, ShowPoint())}), eye_at_origin(), 256, 256, settings);
+    const Picture picture = picture_of(scene_of({object_of(mesh, ShowPoint())}),
+                                       eye_at_origin(near), 256, 256, settings);
     return picture.framebuffer.glossy[3 * picture.index(127, 254)];
   };
   EXPECT_NEAR(u_in_the_middle(Interpolation::screen_linear), 0.5, 0.003);

@@ -4,7 +4,10 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
+#include <limits>
 #include <memory>
+#include <random>
 #include <sstream>
 #include <vector>
 
@@ -26,6 +29,8 @@ testing::AssertionResult holds(int cases, Property&& property) {
   rc::detail::printResultMessage(result, message);
   return testing::AssertionFailure() << message.str();
 }
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
 
 // ------------------------------------------------------------------------------ exact coverage
 
@@ -119,6 +124,42 @@ inline Camera pixel_camera(int width, int height) {
   camera.near = 1;
   camera.far = 2;
   return camera;
+}
+
+/// Looks along -z with a field of view of 90 degrees: at distance w a square picture reaches from
+/// -w to w.
+inline Camera eye_at_origin(double near = 0.1, double far = infinity) {
+  Camera camera;
+  camera.eye = {0, 0, 0};
+  camera.target = {0, 0, -1};
+  camera.fov_deg = 90;
+  camera.near = near;
+  camera.far = far;
+  return camera;
+}
+
+/// A position that is often where clipping is delicate: behind the eye, in its plane, at it, on the
+/// near plane, at the side of the guard band, or very far away.
+inline glm::vec3 delicate_position(std::mt19937_64& random, const Viewport& viewport, float near) {
+  std::uniform_real_distribution<float> unit(-1, 1);
+  std::uniform_int_distribution<int> kind(0, 7);
+  const float aspect = float(viewport.width) / float(viewport.height);
+  glm::vec3 p(5 * unit(random), 5 * unit(random), 5 * unit(random));
+  switch (kind(random)) {
+    case 0: p.z = 0; break;
+    case 1: p = {0, 0, 0}; break;
+    case 2: p.z = -near; break;
+    case 3: p *= 1e5f; break;
+    case 4:
+    case 5:
+      p.z = -std::abs(p.z);
+      p.x = viewport.guard_x() * p.z * aspect * (unit(random) > 0 ? 1 : -1);
+      for (int i = std::uniform_int_distribution<int>(0, 2)(random); i > 0; --i)
+        p.x = std::nextafter(p.x, unit(random) > 0 ? 1e30f : -1e30f);
+      break;
+    default: p.z = -std::abs(p.z);
+  }
+  return p;
 }
 
 /// Three corners a triangle, no vertex shared; normals point along +z, texcoords are (0,0).
