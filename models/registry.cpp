@@ -25,8 +25,8 @@ std::vector<Entry>& entries() {
 
 template <class Range, class Name>
 std::vector<std::string> names(const Range& range, Name name) {
-  std::vector<std::string> result;
-  for (const auto& element : range) result.push_back(name(element));
+  std::vector<std::string> result(range.size());
+  std::transform(range.begin(), range.end(), result.begin(), name);
   return result;
 }
 

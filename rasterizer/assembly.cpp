@@ -45,7 +45,7 @@ Fate bin(const Frame& frame, const Draw& draw, TriangleId id, const ScreenTriang
   for (int row = r.y_begin / grid.tile_height; row <= (r.y_end - 1) / grid.tile_height; ++row)
     for (int column = r.x_begin / grid.tile_width; column <= (r.x_end - 1) / grid.tile_width;
          ++column)
-      chunk.bins[std::size_t(row * grid.columns + column)].push_back(id);
+      chunk.bins[std::size_t(row) * std::size_t(grid.columns) + std::size_t(column)].push_back(id);
   return Fate::drawn;
 }
 

@@ -189,7 +189,8 @@ void SpanShader::interpolate_surface(const FragmentSpan& span) {
       !mesh.texcoords.empty() && span.draw->object->material.model->needs().surface_point;
   for (int r = 0; r < span.run_count; ++r) {
     const Run& run = span.runs[r];
-    const auto [v] = Corners(mesh, run.triangle);
+    const Corners corners(mesh, run.triangle);
+    const auto& v = corners.vertex;
     const auto attribute = [&](const auto& values, int c, float sign, float* out) {
       interpolate(span, run, {&values[v[0]][c], &values[v[1]][c], &values[v[2]][c]}, sign, out);
     };
