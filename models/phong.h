@@ -24,14 +24,14 @@ struct Phong {
     return {.diffuse = kd * c.n_l, .glossy = ks * pow(r_v(c), n)};
   }
 
-  /// R.V from the four cosines. R - V = 2 (N.L) N - (L + V) has the length of twice half the
-  /// angle's sine; splitting it along and across N, 1 - R.V = 2 (V.H)^2 sin^2(N,H) + (N.L - N.V)^2
-  /// / 2: a sum of squares, exact where 2 (N.L) (N.V) - L.V would cancel.
+  /// R.V from the four cosines. R - V = 2 (N.L) N - (L + V), split along and across N, gives
+  /// 1 - R.V = 2 (V.H)^2 sin^2(N,H) + (N.L - N.V)^2 / 2: a sum of squares, exact where
+  /// 2 (N.L) (N.V) - L.V would cancel.
   template <class T>
   static Cosine<T> r_v(const Cosines<T>& c) {
     const T d = c.n_l - c.n_v;
-    const T versine = T(2) * c.v_h * c.v_h * c.n_h.sin2 + T(0.5) * d * d;
-    return {.cos = T(1) - versine, .sin2 = versine * (T(2) - versine)};
+    const T sin2_n_h = c.n_h.versine * (T(1) + c.n_h.cos);
+    return Cosine<T>::of_versine(T(2) * c.v_h * c.v_h * sin2_n_h + T(0.5) * d * d);
   }
 
   static Description<Phong> describe() {

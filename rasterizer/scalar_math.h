@@ -19,5 +19,7 @@ inline double max(double a, double b) { return a > b ? a : b; }
 inline float max(float a, float b) { return a > b ? a : b; }
 inline double mul_add(double a, double b, double c) { return a * b + c; }
 inline float mul_add(float a, float b, float c) { return a * b + c; }
+inline double log_sum(double x, double low) { return log(x) + low / x; }
+inline float log_sum(float x, float low) { return log(x) + low / x; }
 
 }  // namespace scanlit

@@ -195,6 +195,28 @@ TEST(BatchLog, OutsideItsDomain) {
   EXPECT_NEAR(at(infinity), 128 * std::log(2.0), 1e-5);
 }
 
+TEST(BatchLogSum, StatedError) {
+  // A sum of two floats that float cannot hold, such as 1 - sin^2.
+  const auto error_at = [](float x, float low) {
+    const double exact = std::log1p((double(x) - 1) + low);
+    return or_infinity(std::abs(lanes_of(log_sum(Batch(x), Batch(low)))[0] - exact) / -exact);
+  };
+  std::mt19937_64 random(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double worst_above = 0, worst_below = 0;
+  for (int round = 0; round < 500000; ++round) {
+    const double one_less = std::exp2(-40 * unit(random));
+    const auto x = float(1 - one_less);
+    if (x < smallest_normal) continue;
+    const auto low = float((1 - double(x)) - one_less);
+    double& worst = x * x >= 0.5f ? worst_above : worst_below;
+    worst = std::max(worst, error_at(x, low));
+  }
+  EXPECT_LE(worst_above, 1.3e-7);
+  EXPECT_LE(worst_below, 2e-7);
+  EXPECT_FLOAT_EQ(lanes_of(log_sum(Batch(1.0f), Batch(-1e-10f)))[0], -1e-10f);
+}
+
 TEST(BatchPow, StatedError) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
