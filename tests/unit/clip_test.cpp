@@ -170,5 +170,42 @@ TEST(Clip, PiecesLieInTheVolumeHoweverFarTheCornersWere) {
   EXPECT_GT(cut, 50000);
 }
 
+/// Whether a piece has a corner where x and w of clip space are these, to a few of float's digits.
+testing::AssertionResult has_corner(const std::vector<ClippedTriangle>& pieces, double x, double w,
+                                    const Viewport& viewport) {
+  auto result = testing::AssertionFailure();
+  for (const ClippedTriangle& piece : pieces)
+    for (const ScreenVertex& v : piece.vertices) {
+      const double screen_x = viewport.width * half_pixel * (1 + x / w);
+      if (std::abs(v.x - screen_x) <= 1 && std::abs(double(v.inv_w) * w - 1) < 1e-6)
+        return testing::AssertionSuccess();
+      result << v.x << " (" << screen_x << "), w " << 1 / v.inv_w << " (" << w << ")\n";
+    }
+  return result;
+}
+
+TEST(Clip, CutPointsKeepTheirDigitsHoweverFarTheOtherEndIs) {
+  const Viewport viewport{64, 64};
+  for (const float distance : {1e3f, 1e9f, 1e15f}) {
+    // From far before the eye to far behind it: cut at the near plane, w = 0.1.
+    const float before = 1.1f * distance;
+    std::vector<ClippedTriangle> pieces;
+    clip({{0.3f, 0, 0.1f, before}, {0.4f, 0, 0.1f, -distance}, {0, 1, 0.1f, 1}}, outside_near,
+         viewport, 0, pieces);
+    const double t = (double(before) - double(0.1f)) / (double(before) + double(distance));
+    EXPECT_TRUE(has_corner(pieces, 0.3 + t * 0.1, double(0.1f), viewport)) << distance;
+
+    // From far away to close by, beyond the right side of the guard band: cut close by.
+    const float beyond = 10.7f * viewport.guard_x();
+    pieces.clear();
+    clip({{0, 0, 0.1f, distance}, {beyond, 0, 0.1f, 1}, {0, 1, 0.1f, 1}}, outside_right, viewport,
+         0, pieces);
+    const double excess = beyond / double(viewport.guard_x()) - 1;
+    const double s = excess / (excess + double(distance));
+    EXPECT_TRUE(has_corner(pieces, beyond * (1 - s), 1 + s * (distance - 1.0), viewport))
+        << distance;
+  }
+}
+
 }  // namespace
 }  // namespace scanlit
