@@ -19,8 +19,8 @@ struct RenderSettings {
   int samples = 1;  // coverage samples a pixel: 1, 4, 8 or 16
   int threads = 0;  // 0: all cores; the picture does not depend on it
   Interpolation interpolation = Interpolation::perspective;
-  bool clamp_vertex_colours = false;  // Gouraud: clamp to [0,1] at the vertices, as OpenGL's
-                                      // fixed-point colours were
+  bool clamp_vertex_colours = false;     // Gouraud: clamp to [0,1] at the vertices, as OpenGL's
+                                         // fixed-point colours were
   std::function<void(double)> progress;  // called with 0..1, from any thread, one call at a time
 };
 

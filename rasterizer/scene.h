@@ -26,7 +26,7 @@ enum class ColourForm { tinted = 1, plastic = 2 };
 
 struct Material {
   std::shared_ptr<const ReflectionModel> model;
-  Rgb<double> ka{0.1};             // ambient reflectance
+  Rgb<double> ka{0.1};  // ambient reflectance
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1.0};  // form 2 only
 };
@@ -50,10 +50,10 @@ enum class LightKind { directional, point, spot };
 /// shows radiance 1.
 struct Light {
   LightKind kind = LightKind::directional;
-  double intensity = 1;          // Ii, >= 0
-  Rgb<double> colour{1.0};       // >= 0
+  double intensity = 1;           // Ii, >= 0
+  Rgb<double> colour{1.0};        // >= 0
   glm::dvec3 direction{0, 0, 1};  // directional: towards the light; spot: where it points
-  glm::dvec3 position{0, 0, 0};  // point and spot, world space
+  glm::dvec3 position{0, 0, 0};   // point and spot, world space
   // Point and spot: Ii / (constant + linear d + quadratic d^2), d the distance in world units.
   // (1,0,0) is no fall-off, (0,0,1) inverse square.
   double constant = 1, linear = 0, quadratic = 0;
