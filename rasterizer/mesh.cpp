@@ -91,15 +91,11 @@ OpenMesh::IO::Options request_attributes(const CheckedFile& file, PolyMesh& mesh
 
 void read_with_openmesh(CheckedFile& file, const std::string& suffix, const std::string& name,
                         PolyMesh& mesh, MeshImporter& importer) {
-  const OpenMesh::IO::Options options = request_attributes(file, mesh);
+  OpenMesh::IO::Options options = request_attributes(file, mesh);
   const QuietOpenMesh quiet;
-  for (std::string* data : {&file.primer, &file.data}) {
-    if (data->empty()) continue;
-    std::istringstream in(std::move(*data));
-    OpenMesh::IO::Options wanted = options;
-    if (!OpenMesh::IO::IOManager().read(in, "." + suffix, importer, wanted))
-      throw Error(name, "OpenMesh cannot read it");
-  }
+  std::istringstream in(std::move(file.data));
+  if (!OpenMesh::IO::IOManager().read(in, "." + suffix, importer, options))
+    throw Error(name, "OpenMesh cannot read it");
   const std::size_t taken = mesh.n_faces() + importer.repairs().dropped - file.repairs.dropped;
   if (taken != file.faces)
     throw Error(name, "OpenMesh read only " + std::to_string(taken) + " of " +

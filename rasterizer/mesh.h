@@ -17,14 +17,14 @@ namespace scanlit {
 /// normals has positions' size and unit length; texcoords has positions' size or is empty; every
 /// index is below positions.size(); indices.size() is a multiple of 3.
 struct Mesh {
-  std::string name;                   // file name or shape specification, for messages
-  std::vector<glm::vec3> positions;   // object space
-  std::vector<glm::vec3> normals;     // object space, unit
-  std::vector<glm::vec2> texcoords;   // (u, v), empty where the source has none
-  std::vector<std::uint32_t> indices; // three per triangle
-  bool closed = false;                // no boundary, consistently oriented, outward: only front
-                                      // faces can be seen from outside
-  std::vector<std::string> warnings;  // what was mended or dropped on the way, one line each
+  std::string name;                    // file name or shape specification, for messages
+  std::vector<glm::vec3> positions;    // object space
+  std::vector<glm::vec3> normals;      // object space, unit
+  std::vector<glm::vec2> texcoords;    // (u, v), empty where the source has none
+  std::vector<std::uint32_t> indices;  // three per triangle
+  bool closed = false;                 // no boundary, consistently oriented, outward: only front
+                                       // faces can be seen from outside
+  std::vector<std::string> warnings;   // what was mended or dropped on the way, one line each
 
   std::size_t triangle_count() const { return indices.size() / 3; }
 };
@@ -33,16 +33,16 @@ enum class NormalWeight { area, angle };
 
 struct MeshOptions {
   NormalWeight normal_weight = NormalWeight::angle;  // where the file has no normals
-  std::optional<double> crease_deg;  // split normals at edges whose faces meet at a larger angle, in
-                                     // degrees, 0..180; given, it overrides the file's normals
+  std::optional<double> crease_deg;  // split normals at edges whose faces meet at a larger angle,
+                                     // in degrees, 0..180; given, it overrides the file's normals
 };
 
 /// Reads OBJ, PLY (ascii, binary), OFF, STL or OM through OpenMesh, by the file's suffix.
 /// Polygons are triangulated. What OpenMesh refuses (complex edges, repeated vertices in a face) is
 /// drawn all the same, by duplicated vertices, and counted in `warnings`.
 /// Throws Error naming the file (and line, where the format has lines): missing, empty, truncated
-/// or malformed file; a face that names a vertex that does not exist; NaN or Inf coordinates; header
-/// counts that the file's size cannot hold; no face at all.
+/// or malformed file; a face that names a vertex that does not exist; NaN or Inf coordinates;
+/// header counts that the file's size cannot hold; no face at all.
 Mesh load_mesh(const std::filesystem::path& file, const MeshOptions& options = {});
 
 /// A mesh of the given faces (each a list of vertex indices), with normals as `options` say.

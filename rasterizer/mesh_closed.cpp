@@ -49,8 +49,7 @@ Closedness closedness(const Mesh& mesh) {
   std::ranges::sort(edges);
   for (std::size_t i = 0; i < edges.size(); i += 2) {
     const bool paired = i + 1 < edges.size() && edges[i + 1] == (edges[i] | 1);
-    const bool more = i + 2 < edges.size() && edges[i + 2] >> 1 == edges[i] >> 1;
-    if (!paired || edges[i] % 2 == 1 || more) return Closedness::open;
+    if (!paired || edges[i] % 2 == 1) return Closedness::open;
   }
   return volume > 0 ? Closedness::outward : volume < 0 ? Closedness::inside_out : Closedness::open;
 }

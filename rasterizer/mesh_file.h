@@ -27,8 +27,6 @@ struct CheckedFile {
   // OFF: by vertex, not in data. OpenMesh learns of them from the name of a file only.
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> texcoords;
-  // PLY: to be read before. OpenMesh reads data with the options of the file it read before.
-  std::string primer;
   Repairs repairs;  // done already
 };
 

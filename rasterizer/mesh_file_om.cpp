@@ -25,8 +25,12 @@ class OmChecker {
         keep(start);
         break;
       }
-      if (chunk.name_) skip(take<std::uint8_t>());
-      if (check_chunk(chunk)) keep(start);
+      if (chunk.name_) {  // properties of other programs
+        skip(take<std::uint8_t>());
+        skip_data(chunk);
+      } else if (check_chunk(chunk)) {
+        keep(start);
+      }
     }
     if (!has_points_ || !has_faces_ || (version_2_ && !(has_edges_ && has_vertex_links_)))
       throw Error(name_, "there are no vertices or no faces in it");
@@ -57,10 +61,6 @@ class OmChecker {
 
   /// Moves past the chunk's data; true where OpenMesh is to read it.
   bool check_chunk(const Chunk::Header& chunk) {
-    if (chunk.type_ == Chunk::Type_Custom) {
-      skip(take<std::uint32_t>());
-      return false;
-    }
     if (chunk.type_ == Chunk::Type_Topology) {
       const std::size_t integer = std::size_t(1) << chunk.bits_;
       switch (chunk.entity_) {
@@ -77,8 +77,15 @@ class OmChecker {
       if (is_vector(chunk, Chunk::Type_Texcoord, 2))
         return take_vectors(result_.vertex_texcoords, 8);
     }
-    skip(count_of(chunk) * data_size(chunk));
+    skip_data(chunk);
     return false;
+  }
+
+  void skip_data(const Chunk::Header& chunk) {
+    if (chunk.type_ == Chunk::Type_Custom)
+      skip(take<std::uint32_t>());
+    else
+      skip(count_of(chunk) * data_size(chunk));
   }
 
   static bool is_vector(const Chunk::Header& chunk, Chunk::Type type, unsigned size) {

@@ -198,7 +198,6 @@ CheckedFile copy(Rows& rows, const std::string& name, const PlyHeader& header) {
   if (vertices < 0) throw Error(name, "there is no element 'vertex'");
   if (faces < 0) throw Error(name, "there is no element 'face'");
   result.faces = std::size_t(faces);
-  result.primer = header_text(result, 0, 0);
   result.data = header_text(result, vertices, faces) + result.data;
   return result;
 }

@@ -16,9 +16,10 @@ std::vector<glm::vec3> group_normals(std::span<const glm::vec3> positions,
                                      std::span<const std::uint32_t> corner_point,
                                      std::span<const std::uint32_t> corner_group,
                                      std::size_t group_count, NormalWeight weight) {
-  // Below this share of the weights that went into it, a sum is what rounding left of normals that
-  // cancel (the two sides of a sheet), and its direction means nothing.
-  constexpr double cancelled = 1e-9;
+  // Below this share of the weights that went into it, a sum is what rounding (of the float
+  // positions too) left of normals that cancel (the two sides of a sheet), and its direction means
+  // nothing.
+  constexpr double cancelled = 1e-6;
   std::vector<glm::dvec4> sum(group_count, glm::dvec4(0));      // w: of the weights
   std::vector<glm::vec3> any(group_count, glm::vec3(0, 0, 1));  // a triangle's, for sums of zero
   for (std::size_t t = 0; t < corner_point.size(); t += 3) {

@@ -207,6 +207,25 @@ std::vector<glm::vec3> cube_points() {
 const std::vector<std::vector<std::uint32_t>> cube_faces = {
     {0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
 
+TEST(MakeMesh, AngleWeightsDoNotSeeHowFacesAreCut) {
+  for (const glm::vec3& n : make_mesh("cube", cube_points(), cube_faces).normals)
+    EXPECT_NEAR(std::abs(n.x) + std::abs(n.y) + std::abs(n.z), std::sqrt(3.0f), 1e-5);
+}
+
+TEST(MakeMesh, SidesOfASheetThatCancelLeaveNoRandomNormals) {
+  // Both sides of a slanted hexagon, cut along different diagonals: the sums at its corners are
+  // what rounding leaves.
+  const glm::vec3 u{0.3f, 0.1f, 0.2f}, v{0.1f, 0.2f, -0.1f},
+      normal = glm::normalize(glm::cross(u, v));
+  std::vector<glm::vec3> points;
+  for (const auto& [a, b] : {std::pair(0, 0), {3, -1}, {5, 1}, {5, 4}, {3, 5}, {-1, 3}})
+    points.push_back(float(a) * u + float(b) * v);
+  const Mesh mesh = make_mesh(
+      "sheet", points,
+      {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}, {2, 1, 0}, {2, 0, 5}, {2, 5, 4}, {2, 4, 3}});
+  for (const glm::vec3& n : mesh.normals) EXPECT_GT(std::abs(glm::dot(n, normal)), 0.99f);
+}
+
 TEST(MakeMesh, SplitsNormalsAtCreases) {
   const auto cube = [](std::optional<double> crease_deg) {
     return make_mesh("cube", cube_points(), cube_faces, {NormalWeight::angle, crease_deg});
