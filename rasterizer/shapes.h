@@ -22,12 +22,13 @@ struct ShapeInfo {
 /// plane, cube, sphere, icosphere, cylinder, cone, torus, trefoil, teapot.
 const std::vector<ShapeInfo>& shapes();
 
-/// Whether `specification` names a shape ("teapot", "sphere:64") rather than a file, its number right
-/// or wrong.
+/// Whether `specification` names a shape ("teapot", "sphere:64") rather than a file, its number
+/// right or wrong.
 bool is_shape(std::string_view specification);
 
-/// "NAME" or "NAME:N", N the tessellation. Normals are analytic, texture coordinates are set; vertices
-/// that differ in them only (seams, poles, sharp edges) lie at the same position to the bit.
+/// "NAME" or "NAME:N", N the tessellation. Normals are analytic, texture coordinates are set;
+/// vertices that differ in them only (seams, poles, sharp edges) lie at the same position to the
+/// bit.
 /// Throws Error: unknown shape (with the nearest name), N not a whole number or out of range.
 Mesh make_shape(std::string_view specification);
 
