@@ -120,12 +120,25 @@ TEST(ClippedPicture, OverflowingTransformsNeverPutNanInThePicture) {
       glm::mat4& m = objects.back().world_from_object;
       for (int c = 0; c < 3; ++c) m[c][c] = std::pow(10.0f, exponent(random)) * unit(random);
       // Often so that the object comes out at about the size of the scene.
-      if (i % 2) m = glm::scale(glm::mat4(1), glm::vec3(std::clamp(2 / size, 1e-38f, 1e38f)));
+      if (i % 2) m = glm::scale(glm::mat4(1), glm::vec3(std::clamp(2 / size, 2e-38f, 1e38f)));
       m[3] = {unit(random), unit(random), -3, 1};
     }
     const Scene scene = lit_every_way(objects);
     expect_finite(picture_of(scene, eye_at_origin(), 16, 16, with_samples(4)).framebuffer);
     if (testing::Test::HasFailure()) FAIL() << "case " << i << ", size " << size;
+  }
+}
+
+TEST(ClippedPicture, PositionsAtTheEndOfFloatGiveNoNan) {
+  const float end = std::numeric_limits<float>::max();
+  for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong}) {
+    // Differences of two of them overflow.
+    Object object = shiny(triangle_soup({{-end, -end, 0}, {end, -end, 0}, {end, end, 0}}), shading);
+    object.world_from_object = glm::scale(glm::mat4(1), glm::vec3(2e-38f));
+    object.world_from_object[3][2] = -3;
+    const Picture picture = picture_of(lit_every_way({object}), eye_at_origin(), 16, 16);
+    EXPECT_GT(picture.stats.covered_pixels, 50);
+    expect_finite(picture.framebuffer);
   }
 }
 
