@@ -17,8 +17,9 @@ void require(bool holds, const std::string& where, const std::string& what) {
   if (!holds) throw Error(where, what);
 }
 
-bool finite(const glm::dvec3& v) {
-  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+bool holds_float(const glm::dvec3& v) {
+  const double largest = 1e30;  // beyond it distances leave float
+  return std::abs(v.x) <= largest && std::abs(v.y) <= largest && std::abs(v.z) <= largest;
 }
 
 void require_colour(const Rgb<double>& c, const std::string& where, const std::string& field) {
@@ -44,10 +45,12 @@ void validate(const Light& light, const std::string& where) {
           "intensity must be 0 to 1e12");
   require_colour(light.colour, where, "colour");
   if (light.kind != LightKind::point)
-    require(finite(light.direction) && glm::length(light.direction) > 0, where,
+    // Its square, which normalising takes, must not leave double's range either.
+    require(std::isnormal(glm::dot(light.direction, light.direction)), where,
             "direction must be finite and not zero");
   if (light.kind == LightKind::directional) return;
-  require(finite(light.position), where, "position must be finite");
+  require(holds_float(light.position), where,
+          "position must be finite, each coordinate at most 1e30");
   const double fall_off[3] = {light.constant, light.linear, light.quadratic};
   for (const double coefficient : fall_off)
     require(coefficient >= 0 && std::isfinite(coefficient), where,
