@@ -11,9 +11,9 @@
 #include <span>
 
 #include "rasterizer/error.h"
-#include "rasterizer/image_encoding.h"
-#include "rasterizer/image_planes.h"
-#include "rasterizer/output_file.h"
+#include "rasterizer/image/image_encoding.h"
+#include "rasterizer/image/image_planes.h"
+#include "rasterizer/image/output_file.h"
 
 namespace scanlit {
 namespace {

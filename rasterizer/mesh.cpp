@@ -7,10 +7,10 @@
 #include <utility>
 
 #include "rasterizer/error.h"
-#include "rasterizer/mesh_closed.h"
-#include "rasterizer/mesh_file.h"
-#include "rasterizer/mesh_flatten.h"
-#include "rasterizer/poly_mesh.h"
+#include "rasterizer/mesh/mesh_closed.h"
+#include "rasterizer/mesh/mesh_file.h"
+#include "rasterizer/mesh/mesh_flatten.h"
+#include "rasterizer/mesh/poly_mesh.h"
 
 namespace scanlit {
 namespace {

@@ -74,8 +74,8 @@ enum Outside : std::uint8_t {
 /// reach 2^14 to 2^15 pixels beyond its centre. A picture is at most 2^14 pixels wide, so on the
 /// screen |x| <= 2^15 + 2^13 < 2^16 pixels = 2^24 units of 1/256. Differences of two positions are
 /// then below 2^25, an edge function (a difference of two products of differences) is below 2^51,
-/// and the numerator of an edge's crossing (EdgeWalker) below 2^52: 64-bit integers cannot overflow,
-/// and a double holds every edge function exactly.
+/// and the numerator of an edge's crossing (EdgeWalker) below 2^52: 64-bit integers cannot
+/// overflow, and a double holds every edge function exactly.
 struct Viewport {
   int width = 0, height = 0;
 

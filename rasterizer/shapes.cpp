@@ -4,8 +4,8 @@
 #include <charconv>
 
 #include "rasterizer/error.h"
-#include "rasterizer/mesh_flatten.h"
-#include "rasterizer/shape_surfaces.h"
+#include "rasterizer/mesh/mesh_flatten.h"
+#include "rasterizer/mesh/shape_surfaces.h"
 
 namespace scanlit {
 namespace {

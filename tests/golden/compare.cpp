@@ -5,7 +5,7 @@
 #include <cstring>
 #include <sstream>
 
-#include "rasterizer/image_planes.h"
+#include "rasterizer/image/image_planes.h"
 #include "tests/golden/golden.h"
 
 namespace scanlit::golden {

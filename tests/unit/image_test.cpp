@@ -14,7 +14,7 @@
 #include <regex>
 
 #include "rasterizer/error.h"
-#include "rasterizer/image_encoding.h"
+#include "rasterizer/image/image_encoding.h"
 
 namespace scanlit {
 namespace {

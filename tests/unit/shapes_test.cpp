@@ -8,7 +8,7 @@
 #include <map>
 
 #include "rasterizer/error.h"
-#include "rasterizer/mesh_closed.h"
+#include "rasterizer/mesh/mesh_closed.h"
 
 namespace scanlit {
 namespace {

@@ -1,4 +1,4 @@
-#include "rasterizer/teapot.h"
+#include "rasterizer/mesh/teapot.h"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 
 #include "rasterizer/error.h"
 #include "rasterizer/image.h"
-#include "rasterizer/image_encoding.h"
-#include "rasterizer/image_planes.h"
+#include "rasterizer/image/image_encoding.h"
+#include "rasterizer/image/image_planes.h"
 
 namespace scanlit {
 namespace {

@@ -1,4 +1,4 @@
-#include "rasterizer/ply_header.h"
+#include "rasterizer/mesh/ply_header.h"
 
 #include <algorithm>
 #include <array>

@@ -1,4 +1,4 @@
-#include "rasterizer/mesh_normals.h"
+#include "rasterizer/mesh/mesh_normals.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -1,7 +1,7 @@
 // The built-in shapes, with vertex normals and texture coordinates. What n means, `shapes()` says.
 #pragma once
 
-#include "rasterizer/poly_mesh.h"
+#include "rasterizer/mesh/poly_mesh.h"
 
 namespace scanlit::detail {
 

@@ -4,8 +4,8 @@
 #include <cstring>
 
 #include "rasterizer/error.h"
-#include "rasterizer/mesh_file.h"
-#include "rasterizer/ply_header.h"
+#include "rasterizer/mesh/mesh_file.h"
+#include "rasterizer/mesh/ply_header.h"
 
 namespace scanlit::detail {
 namespace {

@@ -1,4 +1,4 @@
-#include "rasterizer/mesh_closed.h"
+#include "rasterizer/mesh/mesh_closed.h"
 
 #include <algorithm>
 #include <array>

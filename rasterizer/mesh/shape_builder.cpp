@@ -1,4 +1,4 @@
-#include "rasterizer/shape_builder.h"
+#include "rasterizer/mesh/shape_builder.h"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>

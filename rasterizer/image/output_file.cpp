@@ -1,4 +1,4 @@
-#include "rasterizer/output_file.h"
+#include "rasterizer/image/output_file.h"
 
 #include <unistd.h>
 

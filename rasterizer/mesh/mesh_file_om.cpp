@@ -3,7 +3,7 @@
 #include <cstring>
 
 #include "rasterizer/error.h"
-#include "rasterizer/mesh_file.h"
+#include "rasterizer/mesh/mesh_file.h"
 
 namespace scanlit::detail {
 namespace {

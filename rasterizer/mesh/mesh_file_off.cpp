@@ -1,4 +1,4 @@
-#include "rasterizer/mesh_file.h"
+#include "rasterizer/mesh/mesh_file.h"
 
 namespace scanlit::detail {
 namespace {

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "rasterizer/poly_mesh.h"
+#include "rasterizer/mesh/poly_mesh.h"
 
 namespace scanlit::detail {
 

@@ -1,11 +1,11 @@
-#include "rasterizer/teapot.h"
+#include "rasterizer/mesh/teapot.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "rasterizer/shape_builder.h"
-#include "rasterizer/shape_surfaces.h"
+#include "rasterizer/mesh/shape_builder.h"
+#include "rasterizer/mesh/shape_surfaces.h"
 
 namespace scanlit::detail {
 namespace {

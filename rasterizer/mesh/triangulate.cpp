@@ -1,4 +1,4 @@
-#include "rasterizer/triangulate.h"
+#include "rasterizer/mesh/triangulate.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "rasterizer/error.h"
-#include "rasterizer/mesh_file.h"
+#include "rasterizer/mesh/mesh_file.h"
 
 namespace scanlit::detail {
 namespace {

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "rasterizer/mesh.h"
-#include "rasterizer/poly_mesh.h"
+#include "rasterizer/mesh/poly_mesh.h"
 
 namespace scanlit::detail {
 

@@ -1,5 +1,5 @@
-#include "rasterizer/face_repeats.h"
-#include "rasterizer/poly_mesh.h"
+#include "rasterizer/mesh/face_repeats.h"
+#include "rasterizer/mesh/poly_mesh.h"
 
 namespace scanlit::detail {
 namespace {

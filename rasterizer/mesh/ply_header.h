@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "rasterizer/mesh_file.h"
+#include "rasterizer/mesh/mesh_file.h"
 
 namespace scanlit::detail {
 

@@ -5,7 +5,7 @@
 #include <glm/vec3.hpp>
 #include <vector>
 
-#include "rasterizer/poly_mesh.h"
+#include "rasterizer/mesh/poly_mesh.h"
 
 namespace scanlit::detail {
 

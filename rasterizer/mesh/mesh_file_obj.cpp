@@ -1,8 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rasterizer/face_repeats.h"
-#include "rasterizer/mesh_file.h"
+#include "rasterizer/mesh/face_repeats.h"
+#include "rasterizer/mesh/mesh_file.h"
 
 namespace scanlit::detail {
 namespace {

@@ -1,4 +1,4 @@
-#include "rasterizer/shape_surfaces.h"
+#include "rasterizer/mesh/shape_surfaces.h"
 
 #include <algorithm>
 #include <array>
@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/gtc/constants.hpp>
 
-#include "rasterizer/shape_builder.h"
+#include "rasterizer/mesh/shape_builder.h"
 
 namespace scanlit::detail {
 namespace {

@@ -1,12 +1,12 @@
-#include "rasterizer/mesh_flatten.h"
+#include "rasterizer/mesh/mesh_flatten.h"
 
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
 #include "rasterizer/error.h"
-#include "rasterizer/mesh_normals.h"
-#include "rasterizer/triangulate.h"
+#include "rasterizer/mesh/mesh_normals.h"
+#include "rasterizer/mesh/triangulate.h"
 
 namespace scanlit::detail {
 namespace {
