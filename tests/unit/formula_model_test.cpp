@@ -13,6 +13,8 @@
 namespace scanlit {
 namespace {
 
+using namespace test;
+
 // ------------------------------------------------------------------------------------ the cosines
 
 float first_lane(Batch batch) {

@@ -12,6 +12,8 @@
 namespace scanlit {
 namespace {
 
+using namespace test;
+
 // ---------------------------------------------------------------------------------- colour forms
 
 TEST(Lighting, TheTwoColourForms) {

@@ -10,7 +10,7 @@
 #include "models/registry.h"
 #include "rasterizer/lighting.h"
 
-namespace scanlit {
+namespace scanlit::test {
 
 constexpr double kd = 0.5, ks = 0.25, n = 20;
 
@@ -84,4 +84,4 @@ inline void expect_near(const glm::dvec3& actual, const glm::dvec3& expected, do
   for (int c = 0; c < 3; ++c) EXPECT_NEAR(actual[c], expected[c], tolerance);
 }
 
-}  // namespace scanlit
+}  // namespace scanlit::test

@@ -12,6 +12,8 @@
 namespace scanlit {
 namespace {
 
+using namespace test;
+
 /// Every point under `source`, which arrives from direction l with irradiance(point).
 template <class Direction, class Irradiance>
 void expect_lit_by(const Light& source, Direction towards_light, Irradiance irradiance) {

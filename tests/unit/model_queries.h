@@ -10,7 +10,7 @@
 #include "models/registry.h"
 #include "tests/unit/reflection_span.h"
 
-namespace scanlit {
+namespace scanlit::test {
 
 inline std::array<double, 6> channels(const Reflection<double>& r) {
   return {r.diffuse.r, r.diffuse.g, r.diffuse.b, r.glossy.r, r.glossy.g, r.glossy.b};
@@ -103,4 +103,4 @@ inline Span span_of(const std::vector<Pair>& pairs) {
   return span;
 }
 
-}  // namespace scanlit
+}  // namespace scanlit::test

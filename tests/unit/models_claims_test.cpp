@@ -11,6 +11,8 @@
 namespace scanlit {
 namespace {
 
+using namespace test;
+
 using models::ModelInfo;
 
 TEST(Models, FiniteAndNotNegativeEverywhere) {

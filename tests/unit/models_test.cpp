@@ -12,6 +12,8 @@
 namespace scanlit {
 namespace {
 
+using namespace test;
+
 using models::ModelInfo;
 
 struct ReferenceValue {

@@ -12,7 +12,7 @@
 
 #include "rasterizer/reflection_model.h"
 
-namespace scanlit {
+namespace scanlit::test {
 
 /// A random unit vector.
 inline glm::dvec3 direction(std::mt19937& random) {
@@ -87,4 +87,4 @@ inline Span random_span(std::size_t size, std::mt19937& random) {
   return span;
 }
 
-}  // namespace scanlit
+}  // namespace scanlit::test
