@@ -1,25 +1,27 @@
 #include "rasterizer/error.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace scanlit {
 namespace {
 
-/// Levenshtein distance: insertions, deletions and replacements that turn a into b.
+/// Insertions, deletions, replacements and swaps of neighbours that turn a into b (Damerau 1964;
+/// optimal string alignment).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
-  std::iota(row.begin(), row.end(), std::size_t{0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
-    row[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
+  // distance[i][j] is that of a's first i letters to b's first j.
+  std::vector distance(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t j = 0; j <= b.size(); ++j) {
+      std::size_t& d = distance[i][j];
+      d = std::max(i, j);
+      if (i == 0 || j == 0) continue;
+      d = std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1,
+                    distance[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d = std::min(d, distance[i - 2][j - 2] + 1);
     }
   }
-  return row.back();
+  return distance.back().back();
 }
 
 }  // namespace

@@ -1,0 +1,21 @@
+// (7) to (10) for one tile of the picture.
+#pragma once
+
+#include "rasterizer/pipeline.h"
+#include "rasterizer/resolve.h"
+#include "rasterizer/shading.h"
+
+namespace scanlit {
+
+/// What a thread keeps from tile to tile.
+struct Worker {
+  VisibilityTile visibility;
+  SpanCollector collector;
+  SpanShader shader;
+};
+
+/// Scan-converts, resolves and shades a tile, into its own part of the framebuffer, which is
+/// cleared first.
+void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& framebuffer);
+
+}  // namespace scanlit
