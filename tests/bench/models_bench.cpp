@@ -1,0 +1,171 @@
+// Shading a fragment in vector arithmetic and in scalar float: the same formula, the same inputs,
+// the same outputs, measured in one run.
+//   evaluate   the model alone: unit directions in, diffuse and glossy part out; for Batch one
+//              virtual call per span of 256 fragments
+//   light      what the renderer does with a span: position and normal to world space, normal and
+//              direction to the viewer normalised, the model under one directional light, times
+//              the light's colour
+// Both flush subnormals, as render() does.
+#include <benchmark/benchmark.h>
+#include <immintrin.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+#include <random>
+
+#include "models/blinn_phong.h"
+#include "models/lambert.h"
+#include "models/phong.h"
+#include "models/registry.h"
+#include "report.h"
+#include "scalar_path.h"
+
+namespace scanlit::bench {
+namespace {
+
+constexpr int span_count = 8;  // more than one, so that branches cannot be learnt by heart
+constexpr int points = span_count * SurfaceSpan::capacity;
+
+/// Spans of random points of the unit sphere's visible side, seen and lit as in a frame.
+struct Setup {
+  Scene scene;
+  Camera camera{.eye = {0, 0, 4.15}};
+  RenderSettings settings;
+  Frame frame{scene, camera, settings, {}, {}, {}, {}, {}, {}, {}, {}};
+  Draw draw{};
+  SurfaceSpan surface[span_count];
+  LitSpan lit;
+  float to_light[3][SurfaceSpan::padded], to_viewer[span_count][3][SurfaceSpan::padded];
+
+  explicit Setup(const std::string& model) {
+    scene.lights.push_back({.direction = {1, 1, 1}});
+    scene.objects.resize(1);
+    scene.objects[0].material.model = models::make(model).model;
+    draw.object = &scene.objects[0];
+    draw.normal_from_object = glm::mat3(1);
+    for (int c = 0; c < 3; ++c) std::fill_n(to_light[c], SurfaceSpan::padded, std::sqrt(1 / 3.0f));
+    std::mt19937 random(1);
+    for (int s = 0; s < span_count; ++s) fill(s, random);
+  }
+  Setup(const Setup&) = delete;
+
+  void fill(int s, std::mt19937& random) {
+    surface[s].size = SurfaceSpan::capacity;
+    std::uniform_real_distribution<double> azimuth(0, 2 * M_PI);
+    std::uniform_real_distribution<double> height(1 / camera.eye.z, 1);
+    for (int i = 0; i < SurfaceSpan::capacity; ++i) {
+      const double z = height(random), r = std::sqrt(1 - z * z), phi = azimuth(random);
+      const double point[3] = {r * std::cos(phi), r * std::sin(phi), z};
+      const double distance = std::hypot(point[0], point[1], point[2] - camera.eye.z);
+      for (int c = 0; c < 3; ++c) {
+        surface[s].position[c][i] = surface[s].normal[c][i] = float(point[c]);
+        to_viewer[s][c][i] = float((camera.eye[c] - point[c]) / distance);
+      }
+    }
+  }
+
+  DirectionSpan directions(int s) const {
+    DirectionSpan in{.size = SurfaceSpan::capacity};
+    for (int c = 0; c < 3; ++c) {
+      in.normal[c] = surface[s].normal[c];
+      in.to_light[c] = to_light[c];
+      in.to_viewer[c] = to_viewer[s][c];
+    }
+    return in;
+  }
+  ReflectionSpan reflection() {
+    ReflectionSpan out;
+    for (int c = 0; c < 3; ++c) out.diffuse[c] = lit.diffuse[c], out.glossy[c] = lit.glossy[c];
+    return out;
+  }
+};
+
+/// The largest difference between what two ways of shading make of the same spans.
+template <class One, class Other>
+float difference(Setup& setup, One one, Other other) {
+  float largest = 0;
+  for (int s = 0; s < span_count; ++s) {
+    one(setup, s);
+    const auto first = std::make_unique<LitSpan>(setup.lit);
+    other(setup, s);
+    for (int c = 0; c < 3; ++c)
+      for (int i = 0; i < SurfaceSpan::capacity; ++i)
+        largest = std::max({largest, std::abs(first->diffuse[c][i] - setup.lit.diffuse[c][i]),
+                            std::abs(first->glossy[c][i] - setup.lit.glossy[c][i])});
+  }
+  return largest;
+}
+
+template <class ShadeSpan>
+void measure(const std::string& name, const std::shared_ptr<Setup>& setup, ShadeSpan shade_span) {
+  benchmark::RegisterBenchmark(name.c_str(), [setup, shade_span](benchmark::State& state) {
+    for (auto _ : state) {
+      for (int s = 0; s < span_count; ++s) shade_span(*setup, s);
+      benchmark::ClobberMemory();
+    }
+    state.counters["ns"] = benchmark::Counter(
+        points * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+  });
+}
+
+/// Measures two ways of shading, having seen that they give the same.
+template <class Scalar, class Vector>
+void compare(const std::string& name, const std::shared_ptr<Setup>& setup, Scalar scalar,
+             Vector vector) {
+  if (const float d = difference(*setup, scalar, vector); !(d < 1e-5f)) {
+    std::fprintf(stderr, "error: %s: scalar and Batch differ by %g\n", name.c_str(), double(d));
+    std::exit(1);
+  }
+  measure(name + " scalar", setup, scalar);
+  measure(name + " batch", setup, vector);
+}
+
+template <class Formula>
+void compare_model() {
+  const std::string name = Formula::describe().name;
+  const auto setup = std::make_shared<Setup>(name);
+  const Formula formula;
+  compare(
+      "evaluate " + name, setup,
+      [formula](Setup& on, int s) { evaluate_scalar(formula, on.directions(s), on.reflection()); },
+      [](Setup& on, int s) {
+        on.scene.objects[0].material.model->evaluate(on.directions(s), on.reflection());
+      });
+  compare(
+      "light " + name, setup,
+      [formula](Setup& on, int s) {
+        light_scalar(formula, on.frame, on.draw, on.surface[s], on.lit);
+      },
+      [](Setup& on, int s) {
+        FrameStats stats;
+        light(on.frame, on.draw, on.surface[s], on.lit, stats);
+      });
+}
+
+void print_table(const Figures& figures) {
+  std::printf("ns per fragment (%s)     scalar    Batch    ratio\n", vector_level().c_str());
+  for (const char* what : {"evaluate", "light"})
+    for (const char* model : {"blinn-phong", "phong", "lambert"}) {
+      const std::string name = std::string(what) + " " + model;
+      const auto scalar = figures.find(name + " scalar"), batch = figures.find(name + " batch");
+      if (scalar == figures.end() || batch == figures.end()) continue;
+      const double a = scalar->second.at("ns"), b = batch->second.at("ns");
+      std::printf("%-36s %8.2f %8.2f %8.1f\n", name.c_str(), a, b, a / b);
+    }
+}
+
+}  // namespace
+}  // namespace scanlit::bench
+
+int main(int argc, char** argv) {
+  using namespace scanlit::bench;
+  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
+  _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
+  compare_model<scanlit::models::BlinnPhong>();
+  compare_model<scanlit::models::Phong>();
+  compare_model<scanlit::models::Lambert>();
+  print_table(run(argc, argv));
+}

@@ -1,0 +1,52 @@
+#include "report.h"
+
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "rasterizer/batch.h"
+
+namespace scanlit::bench {
+
+namespace {
+
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration) continue;
+      auto& least = figures[run.run_name.function_name];
+      for (const auto& [name, counter] : run.counters) {
+        const auto [entry, is_new] = least.try_emplace(name, counter.value);
+        if (!is_new) entry->second = std::min(entry->second, counter.value);
+      }
+    }
+  }
+
+  Figures figures;
+};
+
+}  // namespace
+
+Figures run(int argc, char** argv) {
+  std::string options[] = {"--benchmark_enable_random_interleaving=true",
+                           "--benchmark_repetitions=15", "--benchmark_min_time=0.02"};
+  std::vector<char*> arguments = {argv[0]};
+  for (std::string& option : options) arguments.push_back(option.data());
+  arguments.insert(arguments.end(), argv + 1, argv + argc);
+  int count = int(arguments.size());
+  benchmark::Initialize(&count, arguments.data());
+  Collector collector;
+  benchmark::RunSpecifiedBenchmarks(&collector);
+  benchmark::Shutdown();
+  return collector.figures;
+}
+
+std::string vector_level() {
+  const char* name = HWY_TARGET == HWY_SSE4 ? "SSE4" : HWY_TARGET == HWY_AVX2 ? "AVX2" : "AVX-512";
+  return std::string(name) + ", " + std::to_string(Batch::lanes) + " lanes";
+}
+
+}  // namespace scanlit::bench

@@ -1,0 +1,88 @@
+#include "scalar_path.h"
+
+#include <glm/geometric.hpp>
+
+#include "models/blinn_phong.h"
+#include "models/lambert.h"
+#include "models/phong.h"
+#include "rasterizer/formula_model.h"
+
+// Inlined whole: of a template's function that stays a call the linker might keep another file's
+// copy, compiled with other flags.
+#define SCANLIT_INLINED_WHOLE [[gnu::flatten]]
+
+namespace scanlit::bench {
+
+namespace {
+
+template <class Array>
+Vec3<float> load(const Array& a, std::size_t i) {
+  return {a[0][i], a[1][i], a[2][i]};
+}
+
+template <class V>
+Vec3<float> convert(const V& v) {
+  return {float(v.x), float(v.y), float(v.z)};
+}
+
+Vec3<float> transform(const glm::mat3& m, const Vec3<float>& v) {
+  const auto row = [&](int i) { return m[0][i] * v.x + m[1][i] * v.y + m[2][i] * v.z; };
+  return {row(0), row(1), row(2)};
+}
+
+Vec3<float> normalize(const Vec3<float>& v) { return v * (1 / sqrt(dot(v, v))); }
+
+template <class Formula>
+Reflection<float> above_horizon(const Formula& formula, const Vec3<float>& n, const Vec3<float>& l,
+                                const Vec3<float>& v) {
+  const Cosines<float> c = cosines(n, l, v);
+  return c.n_l > 0 ? formula(c) : Reflection<float>{};
+}
+
+}  // namespace
+
+template <class Formula>
+SCANLIT_INLINED_WHOLE void evaluate_scalar(const Formula& formula, const DirectionSpan& in,
+                                           const ReflectionSpan& out) {
+  for (std::size_t i = 0; i < in.size; ++i) {
+    const Reflection<float> value =
+        above_horizon(formula, load(in.normal, i), load(in.to_light, i), load(in.to_viewer, i));
+    out.diffuse[0][i] = value.diffuse.r, out.glossy[0][i] = value.glossy.r;
+    out.diffuse[1][i] = value.diffuse.g, out.glossy[1][i] = value.glossy.g;
+    out.diffuse[2][i] = value.diffuse.b, out.glossy[2][i] = value.glossy.b;
+  }
+}
+
+template <class Formula>
+SCANLIT_INLINED_WHOLE void light_scalar(const Formula& formula, const Frame& frame,
+                                        const Draw& draw, SurfaceSpan& surface, LitSpan& lit) {
+  const Light& source = frame.scene.lights[0];
+  const Vec3<float> to_light = convert(glm::normalize(source.direction));
+  const Rgb<float> tint = source.colour * float(source.intensity);
+  const Vec3<float> eye = convert(frame.camera.eye);
+  const glm::mat4& m = draw.object->world_from_object;
+  const glm::mat3 linear(m);
+  const Vec3<float> origin = convert(m[3]);
+  for (std::size_t i = 0; i < std::size_t(surface.size); ++i) {
+    const Vec3<float> position = transform(linear, load(surface.position, i)) + origin;
+    const Vec3<float> to_viewer = normalize(eye - position);
+    const Vec3<float> normal =
+        normalize(transform(draw.normal_from_object, load(surface.normal, i)));
+    surface.normal[0][i] = normal.x, surface.normal[1][i] = normal.y;
+    surface.normal[2][i] = normal.z;
+    const Reflection<float> value = above_horizon(formula, normal, to_light, to_viewer);
+    const Rgb<float> diffuse = tint * value.diffuse, glossy = tint * value.glossy;
+    lit.diffuse[0][i] = diffuse.r, lit.glossy[0][i] = glossy.r;
+    lit.diffuse[1][i] = diffuse.g, lit.glossy[1][i] = glossy.g;
+    lit.diffuse[2][i] = diffuse.b, lit.glossy[2][i] = glossy.b;
+  }
+}
+
+#define SCANLIT_SCALAR_PATH_OF(Formula)                                                       \
+  template void evaluate_scalar(const Formula&, const DirectionSpan&, const ReflectionSpan&); \
+  template void light_scalar(const Formula&, const Frame&, const Draw&, SurfaceSpan&, LitSpan&)
+SCANLIT_SCALAR_PATH_OF(models::BlinnPhong);
+SCANLIT_SCALAR_PATH_OF(models::Phong);
+SCANLIT_SCALAR_PATH_OF(models::Lambert);
+
+}  // namespace scanlit::bench
