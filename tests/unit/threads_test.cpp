@@ -70,7 +70,7 @@ Scene busy_scene() {
   for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong})
     for (const Sides sides : {Sides::front, Sides::both}) {
       // More than one chunk of triangles in some, none at all in others.
-      Object object = object_of(tangle(seed, 300, seed == 3 ? 40000 : 2000), White(), shading);
+      Object object = object_of(tangle(seed, 300, seed == 3 ? 18000 : 1000), White(), shading);
       object.material.model =
           std::make_shared<FormulaModel<models::BlinnPhong>>(models::BlinnPhong());
       object.material.ka = Rgb<double>(0.2);
@@ -96,14 +96,14 @@ TEST_P(Threads, AnyNumberGivesTheSameBits) {
   const Scene scene = busy_scene();
   RenderSettings settings = with_samples(GetParam());
   settings.threads = 1;
-  const Picture one = picture_of(scene, eye_at_origin(), 300, 200, settings);
+  const Picture one = picture_of(scene, eye_at_origin(), 200, 150, settings);
   EXPECT_GT(one.stats.clipped, 100);
   EXPECT_GT(one.stats.back_facing, 100);
-  EXPECT_GT(one.stats.covered_pixels, 30000);
+  EXPECT_GT(one.stats.covered_pixels, 20000);
   for (const int threads : {1, 2, 3, 8, 0}) {
     SCOPED_TRACE(threads);
     settings.threads = threads;
-    expect_same(one, picture_of(scene, eye_at_origin(), 300, 200, settings));
+    expect_same(one, picture_of(scene, eye_at_origin(), 200, 150, settings));
   }
 }
 
