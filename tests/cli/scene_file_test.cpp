@@ -200,7 +200,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[[object]]\nmesh = 'x'\nmaterial = 'gold'\n",
                 "scene.toml:3:12: unknown material 'gold'; the scene has no [material.gold]"},
         Mistake{"[material.gold]\n[[object]]\nmesh = 'x'\nmaterial = 'glod'\n",
-                "scene.toml:4:12: unknown material 'glod'; there are: gold"},
+                "scene.toml:4:12: unknown material 'glod'; did you mean 'gold'?"},
         Mistake{"[[object]]\nmesh = 'x'\nscale = 0\n", "scene.toml:3:9: scale is 0"},
         Mistake{"[[object]]\nmesh = 'x'\nrotate = { angle = 3, axis = [0, 0, 0] }\n",
                 "scene.toml:3:30: axis is the zero vector"},
