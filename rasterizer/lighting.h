@@ -19,10 +19,11 @@ struct SurfaceSpan {
   float texcoord[2][padded] = {};
 };
 
-/// What the lights make of them: linear radiance, without the ambient term.
+/// What the lights make of them: linear radiance, without the ambient term. Not initialised:
+/// clearing it would cost as much as a light.
 struct LitSpan {
-  float diffuse[3][SurfaceSpan::padded] = {};
-  float glossy[3][SurfaceSpan::padded] = {};
+  float diffuse[3][SurfaceSpan::padded];
+  float glossy[3][SurfaceSpan::padded];
 };
 
 /// Ka Ia in the material's colour form: the same for every point of an object.

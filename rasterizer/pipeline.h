@@ -23,6 +23,7 @@
 //  * Clip space: a point is inside where -w <= x <= w, -w <= y <= w, 0 <= z <= w.
 //  * Depth is z / w: 1 at the near plane, 0 at the far plane (or at infinity). Larger is nearer.
 //    Reversed so, float is densest where perspective is sparsest: far distances keep precision.
+//    What lies exactly on the far plane, at depth 0, is not drawn.
 //  * Screen space: x to the right, y down, row 0 on top; pixel (i, j) has its centre at
 //    (i + 1/2, j + 1/2). Positions are 24.8 fixed point: integers in 1/256 pixel.
 //  * Of two fragments at exactly equal depth the one drawn first stays (object order, then triangle

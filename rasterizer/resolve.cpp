@@ -59,13 +59,16 @@ void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel,
   float b0[FragmentSpan::padded];
   const auto& [a, b, c] = triangle_.vertices;
   const double area = double(triangle_.twice_area), scale = 1.0 / area;
-  const double e1 = edge_1(x, y), step_1 = double(a.y - c.y) * subpixel;
-  const double e2 = edge_2(x, y), step_2 = double(b.y - a.y) * subpixel;
+  // A centroid of samples is rounded, and may lie beyond an edge by that much; 1/w would magnify
+  // it.
+  const auto inside = [area](double edge) { return area > 0 ? max(edge, 0.0) : min(edge, 0.0); };
+  const double e1 = inside(edge_1(x, y)), step_1 = double(a.y - c.y) * subpixel;
+  const double e2 = inside(edge_2(x, y)), step_2 = double(b.y - a.y) * subpixel;
   store_steps(e1, step_1, scale, count, b1);
   store_steps(e2, step_2, scale, count, b2);
   // From its own edge function too: as 1 - b1 - b2 in float it would lose its digits where it is
   // small, and 1/w may weigh it by a million.
-  store_steps(area - e1 - e2, -step_1 - step_2, scale, count, b0);
+  store_steps(inside(area - e1 - e2), -step_1 - step_2, scale, count, b0);
 
   const bool perspective =
       interpolation == Interpolation::perspective && (a.inv_w != b.inv_w || b.inv_w != c.inv_w);

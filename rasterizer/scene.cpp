@@ -69,12 +69,14 @@ std::string label(const char* kind, std::size_t index, const std::string& name) 
 }  // namespace
 
 void validate(const Scene& scene) {
-  std::size_t triangles = 0;
+  std::size_t triangles = 0, vertices = 0;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     validate(scene.objects[i], label("object", i, scene.objects[i].name));
     triangles += scene.objects[i].mesh->triangle_count();
+    vertices += scene.objects[i].mesh->positions.size();
   }
   require(triangles < (1u << 31), "scene", "more than 2^31 - 1 triangles");
+  require(vertices < (std::size_t(1) << 32), "scene", "more than 2^32 - 1 vertices");
   for (std::size_t i = 0; i < scene.lights.size(); ++i)
     validate(scene.lights[i], label("light", i, ""));
   require_colour(scene.ambient, "scene", "ambient");

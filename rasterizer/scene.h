@@ -71,7 +71,8 @@ struct Scene {
 
 /// Throws Error naming the object or light and the field: no mesh or model, NaN or Inf, a transform
 /// that is not affine, a negative intensity or colour, a zero direction, fall-off that is zero or
-/// negative somewhere, spot angles out of order, more than 2^31 - 1 triangles in all.
+/// negative somewhere, spot angles out of order, more than 2^31 - 1 triangles or 2^32 - 1
+/// vertices in all.
 void validate(const Scene& scene);
 
 /// A sphere in world space that holds every object.
