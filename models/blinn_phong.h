@@ -7,8 +7,8 @@
 //
 //   kd   Kd, diffuse reflectance per channel
 //   ks   Ks, glossy reflectance per channel
-//   n    the exponent: larger is a smaller, sharper highlight; about 4 times Phong's for one as
-//   wide
+//   n    the exponent: larger is a smaller, sharper highlight; 4 times Phong's gives one about as
+//        wide, because N and H enclose half of R's and V's angle
 #pragma once
 
 #include "models/formula.h"

@@ -97,8 +97,8 @@ inline Batch exp(Batch x) {
 }
 
 /// log(x + low), where low is what rounding to x has dropped: |low| <= 2^-24 x. Domain: x from
-/// 2^-126 to sqrt(2). Maximum error: 1.3e-7 relative where x >= sqrt(1/2); below, where low matters
-/// less and is only partly heeded, 2e-7.
+/// 2^-126 to sqrt(2), or to infinity where low is 0. Maximum error: 1.3e-7 relative where x >=
+/// sqrt(1/2); below, where low matters less and is only partly heeded, 2e-7.
 /// Source: x = 2^k m with m in [sqrt(1/2), sqrt(2)); log m = 2 atanh((m-1)/(m+1)) as an odd series,
 /// whose truncation error at the ends of the interval is below 2e-9.
 inline Batch log_sum(Batch x, Batch low) {

@@ -44,7 +44,7 @@ void validate(const Camera& camera) {
   const double up_length = glm::length(camera.up);
   if (!(glm::length(glm::cross(direction / length, camera.up / up_length)) > 1e-9))
     refuse("up must not be zero or parallel to the viewing direction");
-  // Nearer, 1/w leaves float.
+  // Nearer, clip() could not tell a point before the near plane from what cancellation leaves.
   if (!(camera.near >= 1e-12 && camera.near <= largest)) refuse("near must be 1e-12 to 1e30");
   if (!(camera.far > camera.near)) refuse("far must be beyond near");
   if (camera.projection == Projection::perspective) {

@@ -15,10 +15,10 @@ struct Camera {
   glm::dvec3 target{0, 0, 0};
   glm::dvec3 up{0, 1, 0};  // need not be perpendicular to the viewing direction, nor of unit length
   Projection projection = Projection::perspective;
-  double fov_deg = 45;  // vertical field of view, 0 < fov < 180; perspective only
+  double fov_deg = 45;  // vertical field of view, 1e-6 <= fov < 180; perspective only
   double height = 2;    // vertical extent of the picture; orthographic only
-  double near = 0.01;   // > 0 for perspective
-  double far = std::numeric_limits<double>::infinity();  // > near; finite for orthographic
+  double near = 0.01;   // distance from the eye, 1e-12..1e30
+  double far = std::numeric_limits<double>::infinity();  // > near; orthographic: at most 1e30
   bool viewer_at_infinity = false;  // V is the same for every point (an orthographic viewer's
                                     // always is)
 };

@@ -20,9 +20,8 @@ namespace {
 
 struct Format {
   const char* suffix;
-  const char*
-      writer;     // OpenImageIO's name; its guess from the file name would see a temporary name
-  bool floating;  // 32-bit linear light, else 8-bit codes
+  const char* writer;  // OpenImageIO's name; its guess would be made from a temporary file's name
+  bool floating;       // 32-bit linear light, else 8-bit codes
   int channels;
 };
 constexpr Format formats[] = {

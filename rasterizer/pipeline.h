@@ -1,18 +1,21 @@
 // The pipeline: read this first. It tells the whole way of the data, in order; each number is
 // elaborated in the file named beside it.
 //
-//   (1) mesh             mesh.h             a file or a shape becomes flat arrays       object
-//   space (2) camera, scene    camera.h, scene.h  where things are, and who looks             world
-//   space (3) vertex stage     vertex_stage.cpp   every vertex, once                          clip
-//   space (4) clip             clip.cpp           the few triangles that leave the volume     clip
-//   space (5) project, snap    below              divide by w, round to 1/256 pixel screen space
-//   (6) bins             assembly.cpp       cull; sort triangles into tiles             screen
-//   space (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel screen
-//   space (8) resolve          resolve.cpp        visible fragments, gathered into spans (9)
-//   shading          shading.cpp        flat, Gouraud, Phong: where the reflection model is
-//                                           evaluated; lighting.cpp evaluates it
+//   (1) mesh             mesh.h             a file or a shape becomes flat arrays      object space
+//   (2) camera, scene    camera.h, scene.h  where things are, and who looks            world
+//   (3) vertex stage     vertex_stage.cpp   every vertex, once                         clip space
+//   (4) clip             clip.cpp           the few triangles that leave the volume    clip
+//   (5) project, snap    vertex_stage.cpp   divide by w, round to 1/256 pixel          screen space
+//   (6) bins             assembly.cpp       cull; sort triangles into tiles            screen
+//   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
+//   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
+//   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
+//       lighting         lighting.cpp       the reflection model, under every light    world
 //  (10) framebuffer      framebuffer.h      linear light
 //  (11) image            image.h            a file
+//
+// Reflection models plug into (9) through reflection_model.h; how to write one is said at the top
+// of formula_model.h.
 //
 // Visibility comes first and shading after it, once per visible fragment: what is hidden is never
 // shaded. render.cpp runs the stages: (3) and (6) over chunks of vertices and triangles, then (7)
@@ -51,8 +54,7 @@ struct ClipVertex {
 };
 
 /// A vertex on the screen: position in 1/256 pixel, depth in [0, 1], and 1/w, which interpolates
-/// linearly on the screen where attributes do not. Positions lie in the guard band: |x|, |y| <
-/// 2^24.
+/// linearly on the screen where attributes do not. |x|, |y| < 2^24: the guard band (Viewport).
 struct ScreenVertex {
   std::int32_t x, y;
   float depth;

@@ -17,14 +17,14 @@ enum class Interpolation { perspective, screen_linear };
 
 struct RenderSettings {
   int samples = 1;  // coverage samples a pixel: 1, 4, 8 or 16
-  int threads = 0;  // 0: all cores; the picture does not depend on it
+  int threads = 0;  // 0 (all cores)..1024; the picture does not depend on it
   Interpolation interpolation = Interpolation::perspective;
   bool clamp_vertex_colours = false;       // Gouraud: clamp to [0,1] at the vertices, as OpenGL's
                                            // fixed-point colours were
   std::function<void(double)> progress{};  // called with 0..1, from any thread, one call at a time
 };
 
-/// The timed stages of a frame, in order; the numbers are those of pipeline.h.
+/// What a frame's time is measured for, in order.
 enum class Stage { vertices, assembly, light_vertices, scan_conversion, resolve, shading, count };
 const char* name(Stage stage);
 

@@ -52,7 +52,8 @@ IntVector bit_where(Batch::Mask inside, int bit) {
 // Each test asks "inside?", so that NaN counts as outside.
 IntVector outcodes(const Homogeneous<Batch>& p, const Viewport& viewport) {
   const Batch limit_x = p.w * Batch(viewport.guard_x()), limit_y = p.w * Batch(viewport.guard_y());
-  // A tenth of float's largest: the sums below then cannot overflow either.
+  // Beyond 1e37 1/w comes near the subnormal numbers, which count as 0 here, and perspective
+  // interpolation would divide by 0.
   const Batch magnitude = max(max(abs(p.x), abs(p.y)), max(abs(p.z), abs(p.w)));
   const Batch::Mask finite =
       (magnitude <= Batch(1e37f)) & (p.x <= p.x) & (p.y <= p.y) & (p.z <= p.z) & (p.w <= p.w);
