@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <atomic>
 
-#include "rasterizer/pipeline.h"
+#include "rasterizer/scan_conversion.h"
 
 namespace scanlit {
 
@@ -15,15 +15,11 @@ enum class Fate { outside, no_pixel, back_facing, drawn };
 
 /// The pixels whose sample positions the triangle's box can hold; may be empty.
 Rect pixel_bounds(const ScreenTriangle& t, int samples) {
+  if (samples == 1) return centre_bounds(t);
+  // More samples than one lie anywhere in their pixel.
   const auto [a, b, c] = t.vertices;
   const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
   const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
-  // Arithmetic shifts round down. One sample lies at the centre: columns whose centre is in
-  // [x_min, x_max], rows whose centre is in [y_min, y_max). More lie anywhere in the pixel.
-  const int up = half_pixel - 1;
-  if (samples == 1)
-    return {(x_min + up) >> 8, (y_min + up) >> 8, ((x_max - half_pixel) >> 8) + 1,
-            (y_max + up) >> 8};
   return {x_min >> 8, y_min >> 8, (x_max >> 8) + 1, (y_max >> 8) + 1};
 }
 

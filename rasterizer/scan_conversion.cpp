@@ -125,12 +125,7 @@ void draw_small(const ScreenTriangle& triangle, TriangleId id, const Rect& box,
 }
 
 void draw(const ScreenTriangle& triangle, TriangleId id, const Target& target) {
-  const auto [a, b, c] = triangle.vertices;
-  const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
-  const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
-  const int up = half_pixel - 1;
-  const Rect box{(x_min + up) >> 8, (y_min + up) >> 8, ((x_max - half_pixel) >> 8) + 1,
-                 (y_max + up) >> 8};
+  const Rect box = centre_bounds(triangle);
   if (box.x_end - box.x_begin > small_size || box.y_end - box.y_begin > small_size)
     return draw_spans(triangle, id, target);
   // The anchor must be the row's first covered pixel, so the box is cut at the tile's rows but, on

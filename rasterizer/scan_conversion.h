@@ -14,6 +14,16 @@
 
 namespace scanlit {
 
+/// The pixels whose centres lie in a triangle's box [x_min, x_max) x [y_min, y_max), outside of
+/// which it covers none. Not limited to the picture; may be empty.
+inline Rect centre_bounds(const ScreenTriangle& triangle) {
+  const auto [a, b, c] = triangle.vertices;
+  const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
+  const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
+  const int up = half_pixel - 1;  // up to the next centre; the shifts round down
+  return {(x_min + up) >> 8, (y_min + up) >> 8, (x_max + up) >> 8, (y_max + up) >> 8};
+}
+
 inline std::int64_t floor_divide(std::int64_t a, std::int64_t positive) {
   const std::int64_t q = a / positive;
   return q - (a % positive < 0);
@@ -61,10 +71,9 @@ template <class Emit>
 void for_each_span(const ScreenTriangle& triangle, int y_begin, int y_end, const Emit& emit) {
   if (triangle.twice_area == 0) return;
   const auto [a, b, c] = triangle.vertices;
-  const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
-  const int up = half_pixel - 1;
-  const int first_row = std::max(y_begin, (y_min + up) >> 8);
-  const int end_row = std::min(y_end, (y_max + up) >> 8);
+  const Rect bounds = centre_bounds(triangle);
+  const int first_row = std::max(y_begin, bounds.y_begin);
+  const int end_row = std::min(y_end, bounds.y_end);
   if (first_row >= end_row) return;
 
   // Going around a front face with y down, left edges run down and right edges run up.
