@@ -65,7 +65,8 @@ template <class T>
 requires(!std::is_same_v<T, double>) T pow(const Cosine<T>& c, double n) { return pow(c, T(n)); }
 
 /// The cosines of unit n, l and v, without cancellation: H's direction is s = l + v, V.H = |s| / 2,
-/// and 1 - N.H = |H - N|^2 / 2. This is the one place where N.V is clamped (min_n_v).
+/// and 1 - N.H = |H - N|^2 / 2. This is the one place where N.V is clamped (min_n_v). None exceeds
+/// 1, as the dot product of two rounded unit vectors may: sqrt(1 - n_l * n_l) would be NaN.
 template <class T>
 Cosines<T> cosines(const Vec3<T>& n, const Vec3<T>& l, const Vec3<T>& v) {
   const Vec3<T> s = l + v;
@@ -74,10 +75,11 @@ Cosines<T> cosines(const Vec3<T>& n, const Vec3<T>& l, const Vec3<T>& v) {
   const T inverse_length = T(1) / sqrt(max(s2, tiny));
   const Vec3<T> h_n = s * inverse_length - n;
   const T versine = select(s2 < tiny, T(1), T(0.5) * dot(h_n, h_n));
-  return {.n_l = dot(n, l),
-          .n_v = max(dot(n, v), T(min_n_v)),
+  const T one(1);
+  return {.n_l = min(one, dot(n, l)),
+          .n_v = min(one, max(dot(n, v), T(min_n_v))),
           .n_h = Cosine<T>::of_versine(versine),
-          .v_h = T(0.5) * (s2 * inverse_length)};
+          .v_h = min(one, T(0.5) * (s2 * inverse_length))};
 }
 
 /// Directions into the shading frame of unit n and tangent t (perpendicular to n).

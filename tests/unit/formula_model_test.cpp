@@ -95,6 +95,18 @@ TEST(Cosines, KeepASmallAngleBetweenNormalAndHalfVector) {
   }
 }
 
+TEST(Cosines, DoNotExceedOne) {
+  std::mt19937 random(5);
+  bool rounded_up = false;
+  for (int round = 0; round < 1000; ++round) {
+    const auto n = vec3<float>(direction(random));
+    const auto c = cosines(n, n, n);
+    for (const float cosine : {c.n_l, c.n_v, float(c.n_h), c.v_h}) EXPECT_LE(cosine, 1);
+    rounded_up |= dot(n, n) > 1;
+  }
+  EXPECT_TRUE(rounded_up) << "or this tests nothing";
+}
+
 TEST(Cosines, AreFiniteForDegenerateDirections) {
   const glm::dvec3 z(0, 0, 1), x(1, 0, 0);
   const glm::dvec3 nearly_x = glm::normalize(glm::dvec3(1, 1e-7, 0));
