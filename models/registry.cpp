@@ -90,6 +90,11 @@ NamedModel make(std::string_view specification) {
     throw Error("unknown model '" + name + "'" +
                 did_you_mean(name, names(entries(), [](const Entry& e) { return e.info.name; })));
 
+  // A copied file whose name was not changed: one of the two would never be drawn.
+  if (std::count_if(entry, entries().end(), [&](const Entry& e) { return e.info.name == name; }) >
+      1)
+    throw Error("model '" + name + "'", "two models have this name; rename one in its describe()");
+
   const auto& parameters = entry->info.parameters;
   Values values;
   for (const ParameterInfo& p : parameters) values.emplace_back(p.key, p.initial);

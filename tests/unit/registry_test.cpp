@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+#include <iostream>
 #include <set>
 
+#include "models/lambert.h"
 #include "rasterizer/error.h"
 
 namespace scanlit::models {
@@ -91,6 +94,19 @@ TEST(Registry, UnknownNames) {
   EXPECT_EQ(error_of("phong:kr=1"), "model 'phong': unknown parameter 'kr'; did you mean 'kd'?");
   EXPECT_EQ(error_of("phong:shininess=1"),
             "model 'phong': unknown parameter 'shininess'; there are: kd, ks, n");
+}
+
+TEST(RegistryDeathTest, TwoModelsOfOneName) {
+  // In a process of its own, because what is registered stays so; started anew, because a fork
+  // would lack the threads that libraries wait for at its end.
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  const auto register_another = [] {
+    const Registered<Lambert> another;
+    std::cerr << error_of("lambert");
+    std::exit(0);
+  };
+  EXPECT_EXIT(register_another(), testing::ExitedWithCode(0),
+              "model 'lambert': two models have this name");
 }
 
 TEST(Registry, MalformedAssignments) {
