@@ -45,6 +45,8 @@ double largest_asymmetry(const ReflectionModel& model) {
   for (int round = 0; round < 20000; ++round) {
     glm::dvec3 l = direction(random), v = direction(random);
     l.z = std::abs(l.z), v.z = std::abs(v.z);
+    // The engine raises the viewer's cosine to min_n_v, but not the light's.
+    if (std::min(l.z, v.z) < min_n_v) continue;
     const auto one = in_double(model, l, v), other = in_double(model, v, l);
     for (std::size_t c = 0; c < 3; ++c) {
       const double a = (one[c] + one[3 + c]) * v.z, b = (other[c] + other[3 + c]) * l.z;

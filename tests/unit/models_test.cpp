@@ -47,8 +47,15 @@ TEST(Models, EachHasReferenceValues) {
   std::map<std::string, int> rows;
   for (const auto& row : reference_values())
     ++rows[row.specification.substr(0, row.specification.find(':'))];
-  EXPECT_GE(models::list().size(), 3u);
-  for (const ModelInfo& info : models::list()) EXPECT_GE(rows[info.name], 12) << info.name;
+  EXPECT_GE(rows.size(), 3u);
+  std::string without;
+  for (const ModelInfo& info : models::list())
+    if (!rows.contains(info.name))
+      without += " " + info.name;
+    else
+      EXPECT_GE(rows[info.name], 12) << info.name;
+  // A reader's own model, made as the README says, need not have any.
+  if (!without.empty()) GTEST_SKIP() << "no rows in reflection_values.csv:" << without;
 }
 
 TEST(Models, ReferenceValuesInDouble) {
