@@ -8,9 +8,10 @@ namespace scanlit {
 
 class OutputFile {
  public:
-  /// Opens an empty file under a temporary name in the target's folder. Throws Error naming the
-  /// target: its folder is missing or not writable, the target is a folder.
-  explicit OutputFile(const std::filesystem::path& target);
+  /// Opens an empty file under a temporary name in the folder of the target, which is `name` or,
+  /// where that is a link, what it leads to. Throws Error with `name`: the folder is missing or not
+  /// writable, the target is a folder or a device.
+  explicit OutputFile(const std::filesystem::path& name);
   /// Removes the temporary file, unless it was committed.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -18,12 +19,12 @@ class OutputFile {
 
   std::FILE* stream() const { return stream_; }
 
-  /// Closes the file and gives it its name, replacing what had that name. Throws Error naming the
-  /// target if any write to stream() failed (`write_errno`, where the caller knows it, says why).
+  /// Closes the file and puts it in the target's place. Throws Error with `name` if any write to
+  /// stream() failed (`write_errno`, where the caller knows it, says why).
   void commit(int write_errno = 0);
 
  private:
-  std::filesystem::path target_, temporary_;
+  std::filesystem::path name_, target_, temporary_;
   std::FILE* stream_ = nullptr;
 };
 

@@ -253,6 +253,15 @@ TEST_F(ImageTest, ReplacesAFileAndLeavesNothingElse) {
   EXPECT_EQ(files(), 1u);
 }
 
+TEST_F(ImageTest, ALinkStaysALinkToWhatIsReplaced) {
+  fs::create_directory(in_folder("elsewhere"));
+  std::ofstream(in_folder("elsewhere/a.png")) << "old";
+  fs::create_symlink("elsewhere/a.png", in_folder("link.png"));
+  write_image(in_folder("link.png"), gradient(5, 5));
+  EXPECT_TRUE(fs::is_symlink(in_folder("link.png")));
+  EXPECT_EQ(read_image(in_folder("elsewhere/a.png")).width, 5);
+}
+
 TEST_F(ImageTest, WritesIntoTheWorkingFolder) {
   const fs::path before = fs::current_path();
   fs::current_path(in_folder(""));
