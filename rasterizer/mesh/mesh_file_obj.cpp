@@ -13,6 +13,9 @@ struct ObjCorner {
 };
 constexpr std::int64_t absent = -1;
 
+/// OpenMesh's OBJ reader looks for each corner among all before it: 300,000 take half a minute.
+constexpr std::size_t max_corners = 10'000;
+
 struct Counts {
   std::int64_t vertices = 0, texcoords = 0, normals = 0;
 };
@@ -76,6 +79,10 @@ class ObjChecker {
 
   void add_face() {
     std::vector<ObjCorner> corners;
+    const std::size_t count = lines_.words().size() - 1;
+    if (count > max_corners)
+      lines_.fail("a face of " + std::to_string(count) + " corners; at most " +
+                  std::to_string(max_corners) + " can be read");
     for (std::size_t i = 1; i < lines_.words().size(); ++i) corners.push_back(corner(i));
     const FaceRepeats repeats = mend_repeats(corners, [](const ObjCorner& c) { return c.vertex; });
     if (repeats.distinct < 3) {

@@ -106,6 +106,9 @@ TEST_F(MeshErrors, ListsAsLongAsNoFileIs) {
   for (int i = 0; i < 300; ++i) long_face += " 0";
   EXPECT_EQ(error_of("t.ply", ascii_ply("0 0 0\n", 1, long_face + "\n", 1)),
             "t.ply:11: a face of 300 corners; at most 255 can be read");
+  std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf";
+  for (int i = 0; i < 10'001; ++i) obj += " 1";
+  EXPECT_EQ(error_of("t.obj", obj), "t.obj:4: a face of 10001 corners; at most 10000 can be read");
 }
 
 TEST_F(MeshErrors, FilesThatEndEarly) {
