@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "lessons/studio/framing.h"
+#include "lessons/studio/text.h"
 #include "rasterizer/error.h"
 #include "rasterizer/shapes.h"
 
@@ -41,6 +42,9 @@ Material make_material(const MaterialDescription& description) {
   material.ka = description.ka.value_or(material.ka);
   return material;
 }
+
+/// Farther out, a camera that sees everything would stand where float ends.
+constexpr double largest_reach = 1e25;
 
 Light directional(const glm::dvec3& towards_light, double intensity, const Rgb<double>& colour) {
   Light light;
@@ -110,6 +114,10 @@ Scene make_scene(const Description& description) {
 
 Camera make_camera(const View& view, const Scene& scene, double aspect) {
   const Sphere bounds = bounding_sphere(scene);
+  const double reach = glm::length(bounds.centre) + bounds.radius;
+  if (!(reach <= largest_reach))
+    throw Error("the scene reaches " + text_of(reach) + " units from the origin; " +
+                text_of(largest_reach) + " is the most that a camera can be placed around");
   Camera camera;
   camera.up = view.up;
   camera.projection = view.projection;
@@ -122,7 +130,9 @@ Camera make_camera(const View& view, const Scene& scene, double aspect) {
     set_depth_range(camera, bounds);
   } else {
     camera.target = view.target.value_or(bounds.centre);
-    camera.eye = camera.target + viewing_direction(view);
+    // Far from the origin a step of length 1 would drown in rounding.
+    const double step = std::max(1.0, glm::length(camera.target));
+    camera.eye = camera.target + viewing_direction(view) * step;
     // Around a given target the scene may lie anywhere: a sphere does then.
     const double beside = glm::length(bounds.centre - camera.target);
     camera = view.target ? framed(camera, {camera.target, bounds.radius + beside}, aspect)

@@ -8,6 +8,7 @@
 #include <glm/vec4.hpp>
 #include <memory>
 
+#include "lessons/studio/description.h"
 #include "rasterizer/shapes.h"
 
 namespace scanlit::studio {
@@ -73,6 +74,14 @@ TEST(FittedCamera, APointAndNothingAtAllStillGiveACamera) {
   scene.objects[0].world_from_object[3] = {5, 5, 5, 1};
   EXPECT_NO_THROW(validate(fitted(Camera{}, scene, 1.5)));
   EXPECT_NO_THROW(validate(fitted(Camera{}, Scene{}, 1.5)));
+}
+
+TEST(AutomaticCamera, LooksFromTheSameSideFarFromTheOrigin) {
+  Scene scene = scene_of("cube", {0, 0, 0});
+  const glm::dvec3 near_by = towards_viewer(make_camera(View(), scene, 1));
+  scene.objects[0].world_from_object = glm::mat4(1e20f);
+  scene.objects[0].world_from_object[3] = {3e20f, -5e20f, 0, 1};
+  EXPECT_LT(glm::distance(towards_viewer(make_camera(View(), scene, 1)), near_by), 1e-6);
 }
 
 }  // namespace
