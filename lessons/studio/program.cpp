@@ -1,5 +1,6 @@
 #include "lessons/studio/program.h"
 
+#include <filesystem>
 #include <iostream>
 #include <new>
 #include <string>
@@ -78,6 +79,8 @@ bool read_command_line(CLI::App& app, int argc, char** argv) {
 }  // namespace
 
 int run_program(const std::string& name, int argc, char** argv, const Setup& setup) {
+  // Beyond `ulimit -f` a write fails then, as on a full disk, and does not end the program.
+  std::signal(SIGXFSZ, SIG_IGN);
   try {
     CLI::App app("", name);
     const std::function<void()> action = setup(app);
@@ -86,6 +89,8 @@ int run_program(const std::string& name, int argc, char** argv, const Setup& set
     return 0;
   } catch (const Error& error) {
     return fail(exit_bad_input, error.what());
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(exit_bad_input, error.path1().string() + ": " + error.code().message());
   } catch (const std::bad_alloc&) {
     return fail(exit_bad_input, "not enough memory");
   } catch (const std::length_error&) {  // a vector asked for more than can be addressed

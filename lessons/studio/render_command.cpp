@@ -17,13 +17,17 @@
 namespace scanlit::studio {
 namespace {
 
+/// One file can have many names.
+std::filesystem::path full_path(const std::filesystem::path& name) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(name));
+}
+
 void check_targets(const RenderOptions& options, const Picture& picture) {
   check_image_target(options.output_file(), picture.width, picture.height);
   if (options.aov.empty()) return;
   if (std::filesystem::path(options.aov).extension() != ".exr")
     throw Error("--aov", "'" + options.aov + "' is not an .exr file, which alone holds channels");
-  if (std::filesystem::path(options.aov).lexically_normal() ==
-      options.output_file().lexically_normal())
+  if (full_path(options.aov) == full_path(options.output_file()))
     throw Error("--aov", "'" + options.aov + "' is the picture's own file");
   check_image_target(options.aov, picture.width, picture.height);
 }

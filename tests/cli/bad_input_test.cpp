@@ -79,6 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
                     BadInput{"render teapot -o x.docx", "unknown image format '.docx'"},
                     BadInput{"render teapot --aov x.png", "--aov: 'x.png' is not an .exr file"},
                     BadInput{"render teapot -o x.exr --aov x.exr", "the picture's own file"},
+                    BadInput{"render teapot -o x.exr --aov \"$PWD\"/x.exr",
+                             "the picture's own file"},
                     BadInput{"render teapot --aov nowhere/x.exr", "nowhere"}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -89,6 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render a.xyz", "a.xyz", "a.xyz", "0 0 0"},
         BadInput{"render a.obj", "a.obj", "a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"},
         BadInput{"render a.obj", "a.obj", "a.obj", "v 0 0 nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"},
+        BadInput{"render a.obj", "the scene reaches", "a.obj",
+                 "v 0 0 0\nv 1e38 0 0\nv 0 1 0\nf 1 2 3\n"},
         BadInput{"render a.off", "a.off", "a.off", "OFF\n1000000000 1000000000 0\n0 0 0\n"},
         BadInput{"render empty.toml", "empty.toml:1:1: no [[object]]", "empty.toml", ""},
         BadInput{"render s.toml", "s.toml:2:8: none.obj: there is no such file", "s.toml",
@@ -105,6 +109,20 @@ TEST(BadInput, AFolderOrPipeIsNoScene) {
   expect_refusal(folder.run("render folder.toml"), "folder.toml: is not a regular file");
   expect_refusal(folder.run("render pipe.toml", "mkfifo pipe.toml;"),
                  "pipe.toml: is not a regular file");
+}
+
+TEST(BadInput, WhatTheSystemRefusesIsOneLine) {
+  const Folder folder;
+  expect_refusal(folder.run("render loop.obj", "ln -s loop.obj loop.obj;"), "symbolic links");
+  expect_refusal(folder.run("render cube", "ulimit -f 1;"),
+                 "cube.png: cannot write: File too large");
+  EXPECT_EQ(folder.files(), std::vector<std::string>{"loop.obj"});
+}
+
+TEST(BadInput, APipeIsNoPlaceForAPicture) {
+  const Folder folder;
+  expect_refusal(folder.run("render cube -o pipe.png", "mkfifo pipe.png;"), "not a regular file");
+  EXPECT_TRUE(std::filesystem::is_fifo(folder.path() / "pipe.png"));
 }
 
 TEST(BadInput, AFullStandardOutputIsNoticed) {
