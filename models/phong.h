@@ -26,7 +26,8 @@ struct Phong {
 
   /// R.V from the four cosines. R - V = 2 (N.L) N - (L + V), split along and across N, gives
   /// 1 - R.V = 2 (V.H)^2 sin^2(N,H) + (N.L - N.V)^2 / 2: a sum of squares, exact where
-  /// 2 (N.L) (N.V) - L.V would cancel.
+  /// 2 (N.L) (N.V) - L.V would cancel. N.V is the clamped one: closer to the silhouette than that,
+  /// R.V is that of the clamp.
   template <class T>
   static Cosine<T> r_v(const Cosines<T>& c) {
     const T d = c.n_l - c.n_v;

@@ -84,7 +84,7 @@ void assemble(std::uint32_t begin, std::uint32_t end, Frame& frame, Chunk& chunk
     };
     if ((a | b | c) == 0) {
       add(id, frame.triangle(id));
-    } else if ((a & b & c) == 0 && ((a | b | c) & not_finite) == 0) {
+    } else if ((a & b & c) == 0 && ((a | b | c) & out_of_range) == 0) {
       const auto first = chunk.pieces.size();
       const auto& positions = draw->mesh->positions;
       clip({transform(*draw, positions[index[0]]), transform(*draw, positions[index[1]]),

@@ -12,8 +12,8 @@ namespace scanlit {
 
 namespace {
 
-// Beyond it products of coordinates leave float, and no picture would show anything.
-constexpr double largest = 1e30;
+// Beyond it squares of distances leave float (see outcodes in vertex_stage.cpp).
+constexpr double largest = 1e18;
 
 bool in_range(const glm::dvec3& v) {
   return std::abs(v.x) <= largest && std::abs(v.y) <= largest && std::abs(v.z) <= largest;
@@ -34,9 +34,9 @@ glm::dmat4 view_from_world(const Camera& camera) {
 
 void validate(const Camera& camera) {
   const auto refuse = [](const std::string& what) { throw Error("camera", what); };
-  if (!in_range(camera.eye)) refuse("eye must be finite, each coordinate at most 1e30");
-  if (!in_range(camera.target)) refuse("target must be finite, each coordinate at most 1e30");
-  if (!in_range(camera.up)) refuse("up must be finite, each coordinate at most 1e30");
+  if (!in_range(camera.eye)) refuse("eye must be finite, each coordinate at most 1e18");
+  if (!in_range(camera.target)) refuse("target must be finite, each coordinate at most 1e18");
+  if (!in_range(camera.up)) refuse("up must be finite, each coordinate at most 1e18");
   const glm::dvec3 direction = camera.target - camera.eye;
   const double length = glm::length(direction);
   if (!(length > 0) || !std::isfinite(length)) refuse("eye and target must differ");
@@ -45,15 +45,15 @@ void validate(const Camera& camera) {
   if (!(glm::length(glm::cross(direction / length, camera.up / up_length)) > 1e-9))
     refuse("up must not be zero or parallel to the viewing direction");
   // Nearer, clip() could not tell a point before the near plane from what cancellation leaves.
-  if (!(camera.near >= 1e-12 && camera.near <= largest)) refuse("near must be 1e-12 to 1e30");
+  if (!(camera.near >= 1e-12 && camera.near <= largest)) refuse("near must be 1e-12 to 1e18");
   if (!(camera.far > camera.near)) refuse("far must be beyond near");
   if (camera.projection == Projection::perspective) {
     if (!(camera.fov_deg >= 1e-6 && camera.fov_deg < 180))
       refuse("field of view must be between 0 (1e-6 at least) and 180 degrees");
   } else {
     if (!(camera.height >= 1e-30 && camera.height <= largest))
-      refuse("height must be above 0: 1e-30 to 1e30");
-    if (!(camera.far <= largest)) refuse("an orthographic camera needs a finite far, at most 1e30");
+      refuse("height must be above 0: 1e-30 to 1e18");
+    if (!(camera.far <= largest)) refuse("an orthographic camera needs a finite far, at most 1e18");
   }
 }
 

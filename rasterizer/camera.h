@@ -17,8 +17,8 @@ struct Camera {
   Projection projection = Projection::perspective;
   double fov_deg = 45;  // vertical field of view, 1e-6 <= fov < 180; perspective only
   double height = 2;    // vertical extent of the picture; orthographic only
-  double near = 0.01;   // distance from the eye, 1e-12..1e30
-  double far = std::numeric_limits<double>::infinity();  // > near; orthographic: at most 1e30
+  double near = 0.01;   // distance from the eye, 1e-12..1e18
+  double far = std::numeric_limits<double>::infinity();  // > near; orthographic: at most 1e18
   bool viewer_at_infinity = false;  // V is the same for every point (an orthographic viewer's
                                     // always is)
 };

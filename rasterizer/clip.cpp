@@ -5,6 +5,7 @@
 // coordinates after James Blinn, Martin Newell, "Clipping using homogeneous coordinates", SIGGRAPH
 // 1978. In double, because a triangle may reach from a hand's breadth to the horizon.
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "rasterizer/pipeline.h"
@@ -71,6 +72,7 @@ Polygon clip(const Polygon& polygon, Outside plane, double guard_x, double guard
     const Corner& b = polygon.corners[(i + 1) % polygon.size];
     const double d_a = distance(a, plane, guard_x, guard_y);
     const double d_b = distance(b, plane, guard_x, guard_y);
+    assert(result.size + 2 <= Polygon::capacity);
     if (d_a >= 0) result.corners[result.size++] = a;
     if ((d_a >= 0) != (d_b >= 0)) {
       Corner c = d_a >= 0 ? cut(a, b, d_a, d_b) : cut(b, a, d_b, d_a);

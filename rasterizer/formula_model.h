@@ -11,8 +11,7 @@
 //   Reflection<T> operator()(const Cosines<T>& c, const ShadingFrame<T>& f,
 //                            const SurfacePoint<T>& p) const;
 //
-// It is called for n_l > 0 or its result is thrown away: it must be finite but need not be right
-// below the horizon.
+// Below the horizon (n_l <= 0) its result, whatever it is, is thrown away.
 #pragma once
 
 #include <type_traits>

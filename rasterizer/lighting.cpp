@@ -1,5 +1,6 @@
 #include "rasterizer/lighting.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
@@ -54,6 +55,12 @@ Vec3<Batch> transform(const glm::mat3& m, const Vec3<Batch>& v) {
   return {row(0), row(1), row(2)};
 }
 
+/// As above; where a transform flattens the object, its axis may have no length.
+glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
+  const float length = glm::length(v);
+  return length > 0 ? v / length : otherwise;
+}
+
 /// A tangent field around the object's y axis: the direction in which longitude grows.
 Vec3<Batch> tangent_around_axis(const glm::vec3& axis, const glm::vec3& side,
                                 const Vec3<Batch>& normal) {
@@ -76,8 +83,8 @@ void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Direction
   const glm::mat4& m = draw.object->world_from_object;
   const glm::mat3 linear(m);
   const Vec3<Batch> origin = broadcast(m[3]);
-  const glm::vec3 axis = glm::normalize(draw.normal_from_object[1] + glm::vec3(0, 1e-30f, 0));
-  const glm::vec3 side = glm::normalize(draw.normal_from_object[0] + glm::vec3(1e-30f, 0, 0));
+  const glm::vec3 axis = unit_or(draw.normal_from_object[1], {0, 1, 0});
+  const glm::vec3 side = unit_or(draw.normal_from_object[0], {1, 0, 0});
 
   for (int i = 0; i < surface.size; i += Batch::lanes) {
     const Vec3<Batch> position = transform(linear, load(surface.position, i)) + origin;
@@ -111,7 +118,8 @@ void positional(const Light& light, const SurfaceSpan& surface, Directions& d) {
     const Vec3<Batch> offset = position - load(d.position, i);
     const Vec3<Batch> to_light = normalize_or(offset, load(surface.normal, i));
     const Batch distance2 = dot(offset, offset), distance = sqrt(distance2);
-    // Closer than 1e-4 units an inverse-square light would overflow.
+    // At the light itself an inverse-square light would be infinite; from 1e-4 units on it stays
+    // as it is there.
     const Batch fall_off = max(
         Batch(light.constant) + Batch(light.linear) * distance + Batch(light.quadratic) * distance2,
         Batch(1e-8f));
@@ -174,8 +182,8 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
     in.tangent[c] = needs.frame ? d.tangent[c] : nullptr;
     in.object_position[c] = needs.surface_point ? surface.position[c] : nullptr;
     if (c < 2) in.texcoord[c] = needs.surface_point ? surface.texcoord[c] : nullptr;
-    std::fill_n(lit.diffuse[c], surface.size, 0.0f);
-    std::fill_n(lit.glossy[c], surface.size, 0.0f);
+    std::ranges::fill(lit.diffuse[c], 0.0f);
+    std::ranges::fill(lit.glossy[c], 0.0f);
   }
 
   for (const Light& source : frame.scene.lights) {

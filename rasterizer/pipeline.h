@@ -70,7 +70,7 @@ enum Outside : std::uint8_t {
   outside_right = 8,
   outside_bottom = 16,
   outside_top = 32,
-  not_finite = 64,  // float could not hold it; triangles with such a vertex are not drawn
+  out_of_range = 64,  // a coordinate beyond 1e18, or NaN: such a vertex's triangles are not drawn
 };
 
 /// The picture's size, and its guard band: triangles are cut at the picture's sides only where they

@@ -18,7 +18,7 @@ void require(bool holds, const std::string& where, const std::string& what) {
 }
 
 bool holds_float(const glm::dvec3& v) {
-  const double largest = 1e30;  // beyond it distances leave float
+  const double largest = 1e18;  // beyond it distances leave float
   return std::abs(v.x) <= largest && std::abs(v.y) <= largest && std::abs(v.z) <= largest;
 }
 
@@ -50,7 +50,7 @@ void validate(const Light& light, const std::string& where) {
             "direction must be finite and not zero");
   if (light.kind == LightKind::directional) return;
   require(holds_float(light.position), where,
-          "position must be finite, each coordinate at most 1e30");
+          "position must be finite, each coordinate at most 1e18");
   const double fall_off[3] = {light.constant, light.linear, light.quadratic};
   for (const double coefficient : fall_off)
     require(coefficient >= 0 && std::isfinite(coefficient), where,

@@ -52,18 +52,16 @@ IntVector bit_where(Batch::Mask inside, int bit) {
 // Each test asks "inside?", so that NaN counts as outside.
 IntVector outcodes(const Homogeneous<Batch>& p, const Viewport& viewport) {
   const Batch limit_x = p.w * Batch(viewport.guard_x()), limit_y = p.w * Batch(viewport.guard_y());
-  // Beyond 1e37 1/w comes near the subnormal numbers, which count as 0 here, and perspective
-  // interpolation would divide by 0.
+  // Beyond 1e18 the squares of distances come near float's largest, and a direction to the viewer
+  // or a light could not be normalised.
   const Batch magnitude = max(max(abs(p.x), abs(p.y)), max(abs(p.z), abs(p.w)));
-  const Batch::Mask finite =
-      (magnitude <= Batch(1e37f)) & (p.x <= p.x) & (p.y <= p.y) & (p.z <= p.z) & (p.w <= p.w);
-  const IntVector codes[] = {bit_where(p.z <= p.w, outside_near),
-                             bit_where(p.z >= Batch(0), outside_far),
-                             bit_where(-limit_x <= p.x, outside_left),
-                             bit_where(p.x <= limit_x, outside_right),
-                             bit_where(-limit_y <= p.y, outside_bottom),
-                             bit_where(p.y <= limit_y, outside_top),
-                             bit_where(finite, not_finite)};
+  const Batch::Mask in_range =
+      (magnitude <= Batch(1e18f)) & (p.x <= p.x) & (p.y <= p.y) & (p.z <= p.z) & (p.w <= p.w);
+  const IntVector codes[] = {
+      bit_where(p.z <= p.w, outside_near),        bit_where(p.z >= Batch(0), outside_far),
+      bit_where(-limit_x <= p.x, outside_left),   bit_where(p.x <= limit_x, outside_right),
+      bit_where(-limit_y <= p.y, outside_bottom), bit_where(p.y <= limit_y, outside_top),
+      bit_where(in_range, out_of_range)};
   IntVector all = codes[0];
   for (int i = 1; i < 7; ++i) all = hn::Or(all, codes[i]);
   return all;

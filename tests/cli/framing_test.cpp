@@ -79,8 +79,8 @@ TEST(FittedCamera, APointAndNothingAtAllStillGiveACamera) {
 TEST(AutomaticCamera, LooksFromTheSameSideFarFromTheOrigin) {
   Scene scene = scene_of("cube", {0, 0, 0});
   const glm::dvec3 near_by = towards_viewer(make_camera(View(), scene, 1));
-  scene.objects[0].world_from_object = glm::mat4(1e20f);
-  scene.objects[0].world_from_object[3] = {3e20f, -5e20f, 0, 1};
+  scene.objects[0].world_from_object = glm::mat4(1e16f);
+  scene.objects[0].world_from_object[3] = {3e16f, -5e16f, 0, 1};
   EXPECT_LT(glm::distance(towards_viewer(make_camera(View(), scene, 1)), near_by), 1e-6);
 }
 

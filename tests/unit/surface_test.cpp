@@ -216,5 +216,26 @@ TEST(PhongNormals, TiltedAwayFromTheViewerCountAsJustVisible) {
     EXPECT_EQ(picture.framebuffer.colour[4 * i], float(min_n_v));
 }
 
+struct SeesFrame {
+  template <class T>
+  Reflection<T> operator()(const Cosines<T>&, const ShadingFrame<T>& f) const {
+    const T half(0.5);  // so that what is seen is not negative
+    return {.diffuse = {half + half * f.v.x, half + half * f.v.y, half + half * f.v.z},
+            .glossy = {}};
+  }
+};
+
+TEST_P(Surface, AFlattenedObjectStillHasTangents) {
+  // Along each axis in turn: the one that the tangents turn around, and the one that replaces it.
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 scale(1);
+    scale[axis] = 0;
+    Object object = square(glm::scale(identity, scale), 0.5f);
+    object.material.model = std::make_shared<FormulaModel<SeesFrame>>(SeesFrame{});
+    const Picture picture = draw(object, {0.3, 0.2, 1});
+    for (const float channel : picture.framebuffer.colour) ASSERT_TRUE(std::isfinite(channel));
+  }
+}
+
 }  // namespace
 }  // namespace scanlit
