@@ -43,14 +43,18 @@ Light read_light(TomlTable table) {
   set(light.kind, table.choice("kind", light_kinds));
   set(light.intensity, table.number("intensity", light_range));
   set(light.colour, table.colour("colour", light_range));
+  std::optional<glm::dvec3> position;
   // Each kind has its own keys: a directional light with a position is a mistake worth hearing of.
   if (light.kind != LightKind::directional) {
-    set(light.position, table.vector("position"));
+    position = table.vector("position");
+    set(light.position, position);
     read_falloff(table, light);
   }
   if (light.kind != LightKind::point) read_direction(table, light);
   if (light.kind == LightKind::spot) read_cone(table, light);
   table.refuse_unknown_keys();
+  if (light.kind != LightKind::directional && !position)
+    throw Error(table.where(), "a point light or spot has a position: position = [0, 3, 1]");
   return light;
 }
 

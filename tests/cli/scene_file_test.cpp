@@ -80,6 +80,7 @@ position = [1, 2, 3]
 falloff = "inverse-square"
 [[light]]
 kind = "spot"
+position = [0, 4, 0]
 falloff = [1, 0.5, 0.25]
 inner = 5
 outer = 10
@@ -188,6 +189,8 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[[light]]\ndirection = [0, 0, 0]\n", "scene.toml:2:13: direction is the zero"},
         Mistake{"[[light]]\nkind = 'point'\nfalloff = [0, 0, 0]\n", "scene.toml:3:11: falloff is"},
         Mistake{"[[light]]\nkind = 'spot'\ninner = 40\n", "scene.toml:3:9: inner is 40 and outer"},
+        Mistake{"[[light]]\nkind = 'point'\n", "scene.toml:1:1: a point light or spot has a pos"},
+        Mistake{"[[light]]\nkind = 'spot'\n", "scene.toml:1:1: a point light or spot has a pos"},
         Mistake{"[material.m]\n  model = 'blin-phong'\n",
                 "scene.toml:2:11: unknown model 'blin-phong'; did you mean 'blinn-phong'?"},
         Mistake{"[material.m]\nmodel = { name = 'blinn-phong', n = 'x' }\n", "scene.toml:2:37: n "},
