@@ -11,9 +11,11 @@
 namespace scanlit::studio {
 namespace {
 
-/// File names and words of the user may hold line breaks and control characters: a message stays
-/// one line, and no input moves the cursor.
+/// File names and words of the user may hold line breaks and control characters, and be as long as
+/// a file: a message stays one line that can be read, and no input moves the cursor.
 std::string one_line(std::string text) {
+  constexpr std::size_t longest = 1000, kept = 400;  // at either end
+  if (text.size() > longest) text.replace(kept, text.size() - 2 * kept, " ... ");
   for (char& c : text)
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   return text;

@@ -1,5 +1,6 @@
 #include "lessons/studio/scene_file.h"
 
+#include <algorithm>
 #include <fstream>
 #include <iterator>
 
@@ -86,6 +87,18 @@ Description read_root(TomlTable root, const std::filesystem::path& folder) {
   return description;
 }
 
+/// toml++ limits the depth of values but not of dotted keys, and takes them apart by recursion:
+/// from some 50,000 dots in a key on, the stack overflows.
+void refuse_deep_keys(std::string_view text, const std::string& file) {
+  constexpr std::ptrdiff_t max_dots = 20'000;
+  for (std::size_t line = 1; !text.empty(); ++line) {
+    const std::size_t end = std::min(text.find('\n'), text.size() - 1);
+    if (std::count(text.begin(), text.begin() + std::ptrdiff_t(end), '.') > max_dots)
+      throw Error(file + ':' + std::to_string(line), "more than 20000 dots in one line");
+    text.remove_prefix(end + 1);
+  }
+}
+
 std::string read_text(const std::filesystem::path& file) {
   constexpr std::uintmax_t max_bytes = 64 << 20;
   std::error_code missing;
@@ -103,6 +116,7 @@ std::string read_text(const std::filesystem::path& file) {
 }  // namespace
 
 Description read_scene(std::string_view text, const std::filesystem::path& file) {
+  refuse_deep_keys(text, file.string());
   try {
     const toml::table root = toml::parse(text, file.string());
     return read_root(TomlTable(root, file.string(), "the scene"), file.parent_path());

@@ -103,6 +103,24 @@ INSTANTIATE_TEST_SUITE_P(
         BadInput{"render s.toml", "s.toml", "s.toml", std::string("\xff\xfe\0\1", 4)},
         BadInput{"render s.toml", "s.toml", "s.toml", "x = " + std::string(100000, '[')}));
 
+TEST(BadInput, AKeyTooDeepForTheStack) {
+  const Folder folder;
+  std::string key = "a";
+  for (int i = 0; i < 200'000; ++i) key += ".a";
+  for (const std::string& text : {"\n" + key + " = 1\n", "\n[" + key + "]"}) {
+    folder.write("s.toml", text);
+    expect_refusal(folder.run("render s.toml"), "s.toml:2: more than 20000 dots in one line");
+  }
+}
+
+TEST(BadInput, AWordAsLongAsAFileIsNotRepeatedWhole) {
+  const Folder folder;
+  folder.write("s.toml", "[[object]]\nmesh = '" + std::string(1'000'000, 'x') + "'");
+  const Outcome outcome = folder.run("render s.toml");
+  expect_refusal(outcome, "xxx ... xxx");
+  EXPECT_LT(outcome.err.size(), 1000u);
+}
+
 TEST(BadInput, AFolderOrPipeIsNoScene) {
   const Folder folder;
   std::filesystem::create_directory(folder.path() / "folder.toml");
