@@ -22,14 +22,21 @@ std::filesystem::path full_path(const std::filesystem::path& name) {
   return std::filesystem::weakly_canonical(std::filesystem::absolute(name));
 }
 
+void check_target(const std::filesystem::path& target, const RenderOptions& options,
+                  const Picture& picture) {
+  check_image_target(target, picture.width, picture.height);
+  if (full_path(target) == full_path(options.input))  // by a link, for its suffix is another
+    throw Error(target.string(), "is the input's own file");
+}
+
 void check_targets(const RenderOptions& options, const Picture& picture) {
-  check_image_target(options.output_file(), picture.width, picture.height);
+  check_target(options.output_file(), options, picture);
   if (options.aov.empty()) return;
   if (std::filesystem::path(options.aov).extension() != ".exr")
     throw Error("--aov", "'" + options.aov + "' is not an .exr file, which alone holds channels");
   if (full_path(options.aov) == full_path(options.output_file()))
     throw Error("--aov", "'" + options.aov + "' is the picture's own file");
-  check_image_target(options.aov, picture.width, picture.height);
+  check_target(options.aov, options, picture);
 }
 
 /// Each mesh's warnings once, however many objects share it.

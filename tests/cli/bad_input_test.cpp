@@ -143,6 +143,13 @@ TEST(BadInput, APipeIsNoPlaceForAPicture) {
   EXPECT_TRUE(std::filesystem::is_fifo(folder.path() / "pipe.png"));
 }
 
+TEST(BadInput, ALinkToTheInputIsNoPlaceForAPicture) {
+  const Folder folder;
+  folder.write("a.toml", "[[object]]\nmesh = 'cube'\n");
+  expect_refusal(folder.run("render a.toml", "ln -s a.toml a.png;"), "the input's own file");
+  EXPECT_TRUE(folder.read("a.toml").starts_with("[[object]]"));
+}
+
 TEST(BadInput, AFullStandardOutputIsNoticed) {
   const Folder folder;
   const Outcome outcome = folder.run("models >/dev/full");
