@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "lessons/studio/scene_sections.h"
 
@@ -105,11 +104,12 @@ std::string read_text(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file, missing)) throw Error(file.string(), "there is no such file");
   // A pipe or device might never end.
   if (!std::filesystem::is_regular_file(file)) throw Error(file.string(), "is not a regular file");
-  if (std::filesystem::file_size(file) > max_bytes)
-    throw Error(file.string(), "larger than 64 MiB, which no scene is");
+  const std::uintmax_t size = std::filesystem::file_size(file);
+  if (size > max_bytes) throw Error(file.string(), "larger than 64 MiB, which no scene is");
+  std::string text(size, '\0');
   std::ifstream stream(file, std::ios::binary);
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (!stream) throw Error(file.string(), "cannot be read");
+  if (!stream.read(text.data(), std::streamsize(size)))
+    throw Error(file.string(), "cannot be read");
   return text;
 }
 

@@ -135,6 +135,7 @@ TEST(BadInput, WhatTheSystemRefusesIsOneLine) {
   expect_refusal(folder.run("render cube", "ulimit -f 1;"),
                  "cube.png: cannot write: File too large");
   EXPECT_EQ(folder.files(), std::vector<std::string>{"loop.obj"});
+  expect_refusal(folder.run("render mem.toml", "ln -s /proc/self/mem mem.toml;"), "mem.toml:");
 }
 
 TEST(BadInput, APipeIsNoPlaceForAPicture) {
