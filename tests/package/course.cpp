@@ -1,5 +1,5 @@
-// What a student writes outside of Scanlit's own tree: one model, in one file, registered by its last
-// line.
+// What a student writes outside of Scanlit's own tree: one model, in one file, registered by its
+// last line.
 #include <cstdio>
 
 #include "models/formula.h"
