@@ -54,7 +54,8 @@ Camera fitted(const Camera& camera, const Scene& scene, double aspect) {
 
   const glm::dvec3 extent = high - low;
   // What has no extent (a point) still gets a picture around it.
-  const double size = std::max({extent.x, extent.y, extent.z, 1e-6});
+  const double largest = std::max({extent.x, extent.y, extent.z});
+  const double size = largest > 0 ? largest : 1.0;
   const glm::dvec2 middle = (right_top - left_bottom) / 2.0;
   const glm::dvec2 distance = (right_top + left_bottom) / (2.0 * slope);
   // Orthographic, any distance does; perspective, nothing comes nearer than a tenth of the scene.

@@ -68,6 +68,19 @@ TEST_P(Fitted, IsTightAndCentredFromEverywhere) {
 INSTANTIATE_TEST_SUITE_P(, Fitted,
                          testing::Values(Projection::perspective, Projection::orthographic));
 
+TEST_P(Fitted, FillsThePictureWithScenesOfAnySize) {
+  for (const float size : {1e-8f, 1e8f}) {
+    Scene scene = scene_of("trefoil:4", {0, 0, 0});
+    scene.objects[0].world_from_object = glm::mat4(size);
+    scene.objects[0].world_from_object[3] = {0, 0, 0, 1};
+    Camera camera;
+    camera.projection = GetParam();
+    camera.fov_deg = 20;
+    const Box box = seen(scene, fitted(camera, scene, 1), 1);
+    EXPECT_NEAR(std::max(box.high.x, box.high.y), 1 / 1.12, 1e-3) << size;
+  }
+}
+
 TEST(FittedCamera, APointAndNothingAtAllStillGiveACamera) {
   Scene scene = scene_of("plane", {0, 0, 0});
   scene.objects[0].world_from_object = glm::mat4(0);
