@@ -18,8 +18,8 @@
 // of formula_model.h.
 //
 // Visibility comes first and shading after it, once per visible fragment: what is hidden is never
-// shaded. render.cpp runs the stages: (3) and (6) over chunks of vertices and triangles, then (7)
-// to (10) tile by tile, each tile small enough to stay in the cache.
+// shaded. render.cpp runs (3) to (6) over chunks of vertices and triangles, and tile.cpp (7) to
+// (10) tile by tile, each tile small enough to stay in the cache.
 //
 // Conventions, said once:
 //  * Object and world space are right-handed. The camera looks along -z of its own space, +y up.
@@ -112,7 +112,7 @@ struct ClippedTriangle {
 };
 
 /// Cuts a triangle by the planes in `outcodes` (those that at least one of its vertices is outside
-/// of). Appends up to 7 pieces. A cut point depends on the two ends of its edge alone, taken from
+/// of) and appends the pieces. A cut point depends on the two ends of its edge alone, taken from
 /// inside to outside: two triangles that share an edge cut it at the same point.
 void clip(const ClipVertex (&triangle)[3], unsigned outcodes, const Viewport& viewport,
           std::uint32_t source, std::vector<ClippedTriangle>& pieces);

@@ -1,7 +1,6 @@
 // Runs the stages of pipeline.h, in parallel where the order of work cannot be seen in the picture.
 #include "rasterizer/render.h"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
