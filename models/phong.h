@@ -31,8 +31,7 @@ struct Phong {
   template <class T>
   static Cosine<T> r_v(const Cosines<T>& c) {
     const T d = c.n_l - c.n_v;
-    const T sin2_n_h = c.n_h.versine * (T(1) + c.n_h.cos);
-    return Cosine<T>::of_versine(T(2) * c.v_h * c.v_h * sin2_n_h + T(0.5) * d * d);
+    return Cosine<T>::of_versine(T(2) * c.v_h * c.v_h * c.n_h.sin2() + T(0.5) * d * d);
   }
 
   static Description<Phong> describe() {

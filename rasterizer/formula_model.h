@@ -12,6 +12,9 @@
 //                            const SurfacePoint<T>& p) const;
 //
 // Below the horizon (n_l <= 0) its result, whatever it is, is thrown away.
+//
+// Its parameters are members. A formula whose parameters are to vary over the surface, too, is a
+// template over their type, `template <class P = double>`: see models/formula.h.
 #pragma once
 
 #include <type_traits>
@@ -32,6 +35,9 @@ struct Cosine {
   operator const T&() const { return cos; }
 
   static Cosine of_versine(const T& versine) { return {.cos = T(1) - versine, .versine = versine}; }
+
+  /// sin^2 of the angle, without the cancellation of 1 - cos^2 near 0.
+  T sin2() const { return versine * (T(1) + cos); }
 };
 
 /// The angles of the lecture, as cosines.
@@ -91,16 +97,77 @@ ShadingFrame<T> shading_frame(const Vec3<T>& n, const Vec3<T>& t, const Vec3<T>&
   return {.l = local(l), .v = local(v), .h = local(s * inverse)};
 }
 
+/// What a formula's call operator takes.
+template <class Formula>
+struct Takes {
+  template <class... Arguments>
+  static constexpr bool invocable = std::is_invocable_v<const Formula&, Arguments...>;
+  static constexpr bool both = invocable<Cosines<float>, ShadingFrame<float>, SurfacePoint<float>>;
+  static constexpr bool frame = invocable<Cosines<float>, ShadingFrame<float>> || both;
+  static constexpr bool point = invocable<Cosines<float>, SurfacePoint<float>> || both;
+  static_assert(invocable<Cosines<float>> || frame || point, "see the top of this file");
+};
+
+/// What a formula needs of the engine. One that takes the shading frame but, with the parameters it
+/// has, makes no use of it, says so by a member `bool isotropic() const`.
+template <class Formula>
+Needs needs_of(const Formula& formula) {
+  Needs needs{.frame = Takes<Formula>::frame, .surface_point = Takes<Formula>::point};
+  if constexpr (requires { formula.isotropic(); }) needs.frame = !formula.isotropic();
+  return needs;
+}
+
+/// The formula's value; 0 where the light is below the horizon.
+template <class T, class Formula>
+Reflection<T> above_horizon(const Formula& formula, const Cosines<T>& c,
+                            [[maybe_unused]] const ShadingFrame<T>& frame,
+                            [[maybe_unused]] const SurfacePoint<T>& point) {
+  Reflection<T> value;
+  if constexpr (Takes<Formula>::both)
+    value = formula(c, frame, point);
+  else if constexpr (Takes<Formula>::frame)
+    value = formula(c, frame);
+  else if constexpr (Takes<Formula>::point)
+    value = formula(c, point);
+  else
+    value = formula(c);
+  const auto lit = c.n_l > T(0);
+  const auto mask = [&](const Rgb<T>& a) -> Rgb<T> {
+    return {select(lit, a.r, T(0)), select(lit, a.g, T(0)), select(lit, a.b, T(0))};
+  };
+  return {mask(value.diffuse), mask(value.glossy)};
+}
+
+/// A single query, in the shading frame.
+template <class T, class Formula>
+Reflection<T> query(const Formula& formula, const Vec3<T>& l, const Vec3<T>& v,
+                    const SurfacePoint<T>& point) {
+  if (!(v.z > 0)) return {};
+  const Vec3<T> n{T(0), T(0), T(1)}, t{T(1), T(0), T(0)};
+  return above_horizon(formula, cosines(n, l, v), shading_frame(n, t, l, v), point);
+}
+
+// A vector of a span's points, from point i on.
+inline Vec3<Batch> load_vec3(const float* const* a, std::size_t i) {
+  return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
+}
+inline Rgb<Batch> load_rgb(const float* const* a, std::size_t i) {
+  return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
+}
+inline SurfacePoint<Batch> load_point(const PointSpan& points, std::size_t i) {
+  return {.object_position = load_vec3(points.object_position, i),
+          .u = Batch::load(points.texcoord[0] + i),
+          .v = Batch::load(points.texcoord[1] + i),
+          .vertex_colour = load_rgb(points.vertex_colour, i)};
+}
+inline void store(const Reflection<Batch>& value, const ReflectionSpan& out, std::size_t i) {
+  value.diffuse.r.store(out.diffuse[0] + i), value.glossy.r.store(out.glossy[0] + i);
+  value.diffuse.g.store(out.diffuse[1] + i), value.glossy.g.store(out.glossy[1] + i);
+  value.diffuse.b.store(out.diffuse[2] + i), value.glossy.b.store(out.glossy[2] + i);
+}
+
 template <class Formula>
 class FormulaModel final : public ReflectionModel {
-  template <class... Arguments>
-  static constexpr bool takes = std::is_invocable_v<const Formula&, Arguments...>;
-  static constexpr bool takes_both =
-      takes<Cosines<float>, ShadingFrame<float>, SurfacePoint<float>>;
-  static constexpr bool takes_frame = takes<Cosines<float>, ShadingFrame<float>> || takes_both;
-  static constexpr bool takes_point = takes<Cosines<float>, SurfacePoint<float>> || takes_both;
-  static_assert(takes<Cosines<float>> || takes_frame || takes_point, "see the top of this file");
-
   static constexpr std::size_t block_vectors = Batch::lanes == 4 ? 4 : 2;
   // A formula that owns tables is not copied.
   using LocalFormula =
@@ -109,7 +176,7 @@ class FormulaModel final : public ReflectionModel {
  public:
   explicit FormulaModel(Formula formula) : formula_(std::move(formula)) {}
 
-  Needs needs() const override { return {.frame = takes_frame, .surface_point = takes_point}; }
+  Needs needs() const override { return needs_of(formula_); }
 
   // Inlined whole (flatten), whatever the size of the author's formula: a call in the loop would
   // pass its vectors through memory.
@@ -128,11 +195,11 @@ class FormulaModel final : public ReflectionModel {
 
   Reflection<double> evaluate(const Vec3<double>& l, const Vec3<double>& v,
                               const SurfacePoint<double>& point) const override {
-    return query(l, v, point);
+    return query(formula_, l, v, point);
   }
   Reflection<float> evaluate(const Vec3<float>& l, const Vec3<float>& v,
                              const SurfacePoint<float>& point) const override {
-    return query(l, v, point);
+    return query(formula_, l, v, point);
   }
 
  private:
@@ -142,60 +209,23 @@ class FormulaModel final : public ReflectionModel {
   template <std::size_t vectors>
   static void evaluate_block(const Formula& formula, const DirectionSpan& in,
                              const ReflectionSpan& out, std::size_t first) {
-    const auto load = [](const float* const* a, std::size_t i) -> Vec3<Batch> {
-      return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
-    };
-    const auto store = [](const Rgb<Batch>& c, float* const* a, std::size_t i) {
-      c.r.store(a[0] + i), c.g.store(a[1] + i), c.b.store(a[2] + i);
-    };
     Cosines<Batch> c[vectors];
     ShadingFrame<Batch> frame[vectors];
     SurfacePoint<Batch> point[vectors];
 #pragma GCC unroll 4
     for (std::size_t k = 0; k < vectors; ++k) {
       const std::size_t i = first + k * std::size_t(Batch::lanes);
-      const auto n = load(in.normal, i), l = load(in.to_light, i), v = load(in.to_viewer, i);
+      const auto n = load_vec3(in.normal, i), l = load_vec3(in.to_light, i),
+                 v = load_vec3(in.to_viewer, i);
       c[k] = cosines(n, l, v);
-      if constexpr (takes_frame) frame[k] = shading_frame(n, load(in.tangent, i), l, v);
-      if constexpr (takes_point)
-        point[k] = {.object_position = load(in.object_position, i),
-                    .u = Batch::load(in.texcoord[0] + i),
-                    .v = Batch::load(in.texcoord[1] + i)};
+      if constexpr (Takes<Formula>::frame)
+        if (in.tangent[0]) frame[k] = shading_frame(n, load_vec3(in.tangent, i), l, v);
+      if constexpr (Takes<Formula>::point) point[k] = load_point(*in.points, i);
     }
 #pragma GCC unroll 4
-    for (std::size_t k = 0; k < vectors; ++k) {
-      const std::size_t i = first + k * std::size_t(Batch::lanes);
-      const auto result = above_horizon(formula, c[k], frame[k], point[k]);
-      store(result.diffuse, out.diffuse, i);
-      store(result.glossy, out.glossy, i);
-    }
-  }
-
-  template <class T>
-  Reflection<T> query(const Vec3<T>& l, const Vec3<T>& v, const SurfacePoint<T>& point) const {
-    if (!(v.z > 0)) return {};
-    const Vec3<T> n{0, 0, 1}, t{1, 0, 0};
-    return above_horizon(formula_, cosines(n, l, v), shading_frame(n, t, l, v), point);
-  }
-
-  template <class T>
-  static Reflection<T> above_horizon(const Formula& formula, const Cosines<T>& c,
-                                     [[maybe_unused]] const ShadingFrame<T>& frame,
-                                     [[maybe_unused]] const SurfacePoint<T>& point) {
-    Reflection<T> value;
-    if constexpr (takes_both)
-      value = formula(c, frame, point);
-    else if constexpr (takes_frame)
-      value = formula(c, frame);
-    else if constexpr (takes_point)
-      value = formula(c, point);
-    else
-      value = formula(c);
-    const auto lit = c.n_l > T(0);
-    const auto mask = [&](const Rgb<T>& a) -> Rgb<T> {
-      return {select(lit, a.r, T(0)), select(lit, a.g, T(0)), select(lit, a.b, T(0))};
-    };
-    return {mask(value.diffuse), mask(value.glossy)};
+    for (std::size_t k = 0; k < vectors; ++k)
+      store(above_horizon(formula, c[k], frame[k], point[k]), out,
+            first + k * std::size_t(Batch::lanes));
   }
 
   Formula formula_;

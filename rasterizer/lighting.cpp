@@ -171,7 +171,9 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
   place(frame, draw, surface, d, needs);
 
   LitSpan reflection;
+  PointSpan points{.size = std::size_t(surface.size)};
   DirectionSpan in{.size = std::size_t(surface.size)};
+  if (needs.surface_point) in.points = &points;
   const ReflectionSpan out{
       .diffuse = {reflection.diffuse[0], reflection.diffuse[1], reflection.diffuse[2]},
       .glossy = {reflection.glossy[0], reflection.glossy[1], reflection.glossy[2]}};
@@ -180,8 +182,9 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
     in.to_light[c] = d.to_light[c];
     in.to_viewer[c] = d.to_viewer[c];
     in.tangent[c] = needs.frame ? d.tangent[c] : nullptr;
-    in.object_position[c] = needs.surface_point ? surface.position[c] : nullptr;
-    if (c < 2) in.texcoord[c] = needs.surface_point ? surface.texcoord[c] : nullptr;
+    points.object_position[c] = surface.position[c];
+    points.vertex_colour[c] = surface.colour[c];
+    if (c < 2) points.texcoord[c] = surface.texcoord[c];
     std::ranges::fill(lit.diffuse[c], 0.0f);
     std::ranges::fill(lit.glossy[c], 0.0f);
   }

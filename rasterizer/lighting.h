@@ -17,6 +17,7 @@ struct SurfaceSpan {
   float normal[3][padded] = {};    // in: object space, any length, on the viewer's side;
                                    // out: world space, unit
   float texcoord[2][padded] = {};
+  float colour[3][padded] = {};  // the vertex colour, linear
 };
 
 /// What the lights make of them: linear radiance, without the ambient term. Not initialised:

@@ -23,14 +23,17 @@ struct Reflection {
 /// The surface point a formula sees if it asks for it.
 template <class T>
 struct SurfacePoint {
-  Vec3<T> object_position;  // object space
-  T u{}, v{};               // texture coordinates; 0 where the mesh has none
+  Vec3<T> object_position;       // object space
+  T u{}, v{};                    // texture coordinates; 0 where the mesh has none
+  Rgb<T> vertex_colour{T(1.0)};  // linear; white where the mesh has none
 };
 
 /// What a model asks the engine to provide beyond the four cosines.
 struct Needs {
-  bool frame = false;          // tangents: l, v, h in the shading frame
-  bool surface_point = false;  // object position and texture coordinates
+  bool frame = false;                 // tangents: l, v, h in the shading frame
+  bool surface_point = false;         // DirectionSpan::points
+  bool texcoord_derivatives = false;  // in those points
+  std::size_t parameters = 0;         // arrays that evaluate_parameters() fills
 };
 
 /// The smallest n_v a formula ever sees. An interpolated normal can tilt away from the viewer near
@@ -39,18 +42,33 @@ struct Needs {
 /// else.
 constexpr double min_n_v = 1e-4;
 
-/// Arrays of floats for a span of `size` points, one array per component. Each array holds whole
-/// vectors: it may be read up to `size` rounded up to a multiple of max_lanes.
-struct DirectionSpan {
+/// Arrays of floats for `size` points of one object's surface, one array per component. Each array
+/// holds whole vectors: it may be read up to `size` rounded up to a multiple of max_lanes.
+struct PointSpan {
   std::size_t size = 0;
-  const float* normal[3] = {};           // unit
-  const float* to_light[3] = {};         // unit
-  const float* to_viewer[3] = {};        // unit
-  const float* tangent[3] = {};          // unit, perpendicular to normal; only if needs().frame
-  const float* object_position[3] = {};  // only if needs().surface_point
-  const float* texcoord[2] = {};         // only if needs().surface_point
+  const float* object_position[3] = {};
+  const float* texcoord[2] = {};       // 0 where the mesh has none
+  const float* vertex_colour[3] = {};  // linear RGB; 1 where the mesh has none
+  // By how much texcoord grows to the next pixel, on the right and below; null where nobody needs
+  // it or the points are no pixels (vertices, faces, single queries).
+  const float* texcoord_dx[2] = {};
+  const float* texcoord_dy[2] = {};
+  const float* normal[3] = {};   // world space, unit
+  const float* tangent[3] = {};  // world space, unit; only if needs().frame
+  float world_from_object[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};  // [column][row], directions
 };
 constexpr std::size_t max_lanes = 16;
+
+/// The directions at a span's points, in any one space; arrays as in PointSpan.
+struct DirectionSpan {
+  std::size_t size = 0;
+  const float* normal[3] = {};               // unit
+  const float* to_light[3] = {};             // unit
+  const float* to_viewer[3] = {};            // unit
+  const float* tangent[3] = {};              // unit, perpendicular to normal; only if needs().frame
+  const PointSpan* points = nullptr;         // only if needs().surface_point
+  const float* const* parameters = nullptr;  // as evaluate_parameters() filled them
+};
 
 /// Where a span's result goes; written up to `size` rounded up to a multiple of max_lanes.
 struct ReflectionSpan {
@@ -63,6 +81,10 @@ class ReflectionModel {
   virtual ~ReflectionModel() = default;
 
   virtual Needs needs() const = 0;
+
+  /// Fills needs().parameters arrays with what varies over the surface and not with the light. The
+  /// engine calls it once for a span, before evaluate() for each light, and only if there are any.
+  virtual void evaluate_parameters(const PointSpan&, float* const* /*parameters*/) const {}
 
   /// A whole span in one call, in vector arithmetic. Light below the horizon gives 0. A viewer
   /// below it is taken for one just above (min_n_v): the span's points are visible.

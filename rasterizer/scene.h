@@ -24,11 +24,26 @@ enum class Shading { flat, gouraud, phong };
 ///   plastic: I = {Ka Ia + Kd (N.L) Ii} object_colour + Ks (N.H)^n Ii light_colour
 enum class ColourForm { tinted = 1, plastic = 2 };
 
+/// Which way the surface is brushed: the field of tangents that anisotropic models follow, in
+/// object space.
+///   around    in circles about the axis through `centre`, as on a lathe
+///   along     along the axis, as by a straight brush
+///   texcoord  in which the texture coordinate u grows
+/// Where a field has no direction (on the axis of `around`, where the surface faces along the axis
+/// of `along`, where u is constant or missing), another direction in the surface takes its place.
+enum class TangentField { around, along, texcoord };
+struct Tangents {
+  TangentField field = TangentField::around;
+  glm::vec3 axis{0, 1, 0};  // any length but 0
+  glm::vec3 centre{0};
+};
+
 struct Material {
   std::shared_ptr<const ReflectionModel> model;
   Rgb<double> ka{0.1};  // ambient reflectance
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1.0};  // form 2 only
+  Tangents tangents;
 };
 
 /// Which faces are drawn. `automatic` is `front` for a closed mesh and `both` for any other; a back

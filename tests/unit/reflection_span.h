@@ -43,6 +43,7 @@ class Span {
 
   /// The model's diffuse and glossy parts, six values a point.
   std::vector<std::array<float, 6>> evaluate(const ReflectionModel& model) {
+    PointSpan points{.size = size_};
     DirectionSpan in{.size = size_};
     ReflectionSpan out;
     const Needs needs = model.needs();
@@ -51,11 +52,13 @@ class Span {
       in.to_light[c] = inputs_[to_light + c].data();
       in.to_viewer[c] = inputs_[to_viewer + c].data();
       if (needs.frame) in.tangent[c] = inputs_[tangent + c].data();
-      if (needs.surface_point) in.object_position[c] = inputs_[position + c].data();
-      if (needs.surface_point && c < 2) in.texcoord[c] = inputs_[texcoord + c].data();
+      points.object_position[c] = inputs_[position + c].data();
+      points.vertex_colour[c] = inputs_[colour + c].data();
+      if (c < 2) points.texcoord[c] = inputs_[texcoord + c].data();
       out.diffuse[c] = outputs_[c].data();
       out.glossy[c] = outputs_[3 + c].data();
     }
+    if (needs.surface_point) in.points = &points;
     model.evaluate(in, out);
     std::vector<std::array<float, 6>> result(size_);
     for (std::size_t i = 0; i < size_; ++i)
@@ -65,12 +68,12 @@ class Span {
   }
 
   static constexpr int normal = 0, to_light = 3, to_viewer = 6, tangent = 9, position = 12,
-                       texcoord = 15;
+                       texcoord = 15, colour = 17;
 
  private:
   static constexpr float unwritten = -12345;
   std::size_t size_;
-  std::array<std::vector<float>, 18> inputs_;
+  std::array<std::vector<float>, 20> inputs_;
   std::array<std::vector<float>, 6> outputs_;
 };
 
@@ -83,6 +86,7 @@ inline Span random_span(std::size_t size, std::mt19937& random) {
     span.put(i, Span::tangent, glm::normalize(glm::cross(n, direction(random))));
     span.put(i, Span::position, direction(random) * 10.0);
     span.put(i, Span::texcoord, direction(random));
+    span.put(i, Span::colour, {0.2, 0.5, 1.0});
   }
   return span;
 }
