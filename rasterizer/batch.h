@@ -1,7 +1,8 @@
 // Batch: one float per vector lane, so that a formula written for one point serves a whole vector.
 //
-// A thin class over Highway's static target, with the mathematics Highway lacks. Comparisons give a
-// Mask that does not convert to bool: an `if` on a Batch does not compile, `select` is the way.
+// A thin class over Highway's static target, with exp, log and pow whose results are always finite;
+// batch_trigonometry.h has the trigonometric functions. Comparisons give a Mask that does not
+// convert to bool: an `if` on a Batch does not compile, `select` is the way.
 //
 // Two kinds of arithmetic:
 //  * operators + - * / and sqrt are single IEEE operations, never fused (the build says

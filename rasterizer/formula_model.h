@@ -21,6 +21,7 @@
 #include <utility>
 
 #include "rasterizer/batch.h"
+#include "rasterizer/batch_trigonometry.h"
 #include "rasterizer/reflection_model.h"
 #include "rasterizer/scalar_math.h"
 
@@ -68,6 +69,20 @@ T pow(const Cosine<T>& c, const T& n) {
 }
 template <class T>
 requires(!std::is_same_v<T, double>) T pow(const Cosine<T>& c, double n) { return pow(c, T(n)); }
+
+/// The angle in radians, from its versine: alpha = 2 asin(sqrt(versine / 2)). Maximum error in
+/// float and Batch, versine in [0, 1]: 4e-7 relative, also near 0, where the acos of a rounded
+/// cosine would be off by up to 2.4e-4 rad.
+template <class T>
+T angle(const Cosine<T>& c) {
+  return T(2) * asin(sqrt(T(0.5) * c.versine));
+}
+/// Its square, for lobes in alpha^2. Maximum error: 8e-7 relative.
+template <class T>
+T angle2(const Cosine<T>& c) {
+  const T alpha = angle(c);
+  return alpha * alpha;
+}
 
 /// The cosines of unit n, l and v, without cancellation: H's direction is s = l + v, V.H = |s| / 2,
 /// and 1 - N.H = |H - N|^2 / 2. This is the one place where N.V is clamped (min_n_v). None exceeds

@@ -1,4 +1,5 @@
-// What a formula template calls, for the scalars double and float; batch.h has the same for Batch.
+// What a formula template calls, for the scalars double and float; batch.h and
+// batch_trigonometry.h have the same for Batch.
 #pragma once
 
 #include <cmath>
@@ -6,9 +7,13 @@
 namespace scanlit {
 
 using std::abs;
+using std::atan2;
+using std::cos;
 using std::exp;
+using std::floor;
 using std::log;
 using std::pow;
+using std::sin;
 using std::sqrt;
 
 inline double select(bool condition, double a, double b) { return condition ? a : b; }
@@ -21,5 +26,10 @@ inline double mul_add(double a, double b, double c) { return a * b + c; }
 inline float mul_add(float a, float b, float c) { return a * b + c; }
 inline double log_sum(double x, double low) { return log(x) + low / x; }
 inline float log_sum(float x, float low) { return log(x) + low / x; }
+// x is clamped to [-1, 1]: see batch_trigonometry.h.
+inline double acos(double x) { return std::acos(min(max(x, -1.0), 1.0)); }
+inline float acos(float x) { return std::acos(min(max(x, -1.0f), 1.0f)); }
+inline double asin(double x) { return std::asin(min(max(x, -1.0), 1.0)); }
+inline float asin(float x) { return std::asin(min(max(x, -1.0f), 1.0f)); }
 
 }  // namespace scanlit

@@ -3,44 +3,19 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <random>
 
 #include "rasterizer/scalar_math.h"
+#include "tests/unit/batch_lanes.h"
 
 namespace scanlit {
 namespace {
 
-using Lanes = std::array<float, Batch::lanes>;
-
-constexpr float infinity = std::numeric_limits<float>::infinity();
-constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-constexpr float smallest_normal = std::numeric_limits<float>::min();
-constexpr float largest = std::numeric_limits<float>::max();
-constexpr float subnormal = 1e-40f;
-
-Lanes lanes_of(Batch batch) {
-  Lanes lanes;
-  batch.store(lanes.data());
-  return lanes;
-}
-
-/// Lane i holds values[i], values again from the start where there are more lanes.
-template <std::size_t N>
-Batch batch_of(const std::array<float, N>& values, std::size_t first = 0) {
-  Lanes lanes;
-  for (std::size_t i = 0; i < lanes.size(); ++i) lanes[i] = values[(first + i) % N];
-  return Batch::load(lanes.data());
-}
-
-constexpr std::array<float, 16> awkward = {
-    0.0f,     -0.0f,     1.0f, -1.0f, subnormal, -1e-40f, largest,       -largest,
-    infinity, -infinity, nan,  3.0f,  1e-20f,    1e20f,   0.3333333433f, smallest_normal};
+using namespace test;
 
 bool same_bits_or_both_nan(float a, float b) {
   return std::bit_cast<std::uint32_t>(a) == std::bit_cast<std::uint32_t>(b) ||
@@ -120,39 +95,6 @@ TEST(Batch, IotaCountsOnExactlyUpTo2To24) {
   const auto numbers = lanes_of(Batch::iota(first));
   for (std::size_t i = 0; i < numbers.size(); ++i) EXPECT_EQ(numbers[i], first + float(i));
 }
-
-/// So that a NaN among the errors counts as the worst.
-double or_infinity(double error) { return std::isnan(error) ? double(infinity) : error; }
-
-/// The largest relative error of `batch_function` over bit patterns first, first + stride, ... of
-/// floats, and where it is.
-struct Worst {
-  double error = 0;
-  float at = 0;
-};
-template <class BatchFunction, class Reference>
-Worst worst_relative_error(BatchFunction batch_function, Reference reference, std::uint32_t first,
-                           std::uint32_t last, std::uint32_t stride) {
-  Worst worst;
-  for (std::uint64_t block = first; block <= last; block += std::uint64_t(stride) * Batch::lanes) {
-    Lanes x;
-    for (std::size_t i = 0; i < x.size(); ++i)
-      x[i] = std::bit_cast<float>(
-          std::uint32_t(std::min<std::uint64_t>(block + std::uint64_t(stride) * i, last)));
-    const auto y = lanes_of(batch_function(Batch::load(x.data())));
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      const double exact = reference(double(x[i]));
-      const double error = exact == double(y[i]) ? 0 : std::abs((y[i] - exact) / exact);
-      if (!(error <= worst.error)) worst = {or_infinity(error), x[i]};
-    }
-  }
-  return worst;
-}
-
-std::uint32_t bits(float x) { return std::bit_cast<std::uint32_t>(x); }
-
-// A prime: every value of the low mantissa bits comes up.
-constexpr std::uint32_t stride = 997;
 
 TEST(BatchExp, StatedErrorOverItsDomain) {
   const auto exp_batch = [](Batch x) { return exp(x); };
