@@ -1,4 +1,20 @@
 // What a model's file includes: the formula's vocabulary, its description, its registration.
+//
+// A model is a template over P, the type of its parameters: `double` where they are constant, and
+// the type T of the cosines where they vary over the surface. So
+//
+//   template <class P = double>
+//   struct Lambert {
+//     Rgb<P> kd{0.8};
+//     template <class T>
+//     Reflection<T> operator()(const Cosines<T>& c) const { return {.diffuse = kd * c.n_l, ...}; }
+//     static Description<Lambert> describe() { ... }
+//   };
+//   inline const Registered<Lambert<>> lambert_registered;
+//
+// Rgb times T takes care of the types; a number is written T(m). What follows from the parameters
+// alone and costs something may be computed in a member `void prepare()`, called once where they
+// are constant. Not a template, a model works as well, and its parameters are constant.
 #pragma once
 
 #include <string>
@@ -7,69 +23,83 @@
 #include <vector>
 
 #include "models/registry.h"
+#include "models/varying_model.h"
 #include "rasterizer/formula_model.h"
 
 namespace scanlit::models {
 
-/// A parameter: its key, the member that holds it (one number, or RGB), the allowed range
-/// (inclusive, per channel), its meaning. The member's initial value is the default.
-template <class Formula>
-struct Parameter {
-  std::string key;
-  std::variant<double Formula::*, Rgb<double> Formula::*> member;
-  double min, max;
-  std::string meaning;
-};
-
 template <class Formula>
 struct Description {
   std::string name;
+  int year;  // of publication
   std::string title;
   std::string source;
   bool reciprocal;
   bool energy_bounded;
   std::vector<Parameter<Formula>> parameters;
+  std::string exceptions = "";  // to the two claims
+  Kind kind = Kind::model;
 };
 
-using Values = std::vector<std::pair<std::string, Rgb<double>>>;
-
-/// A model's entry in the registry: what it is, and how to make it from values that were checked
-/// against its parameters (all of them, in their order).
-struct Entry {
-  ModelInfo info;
-  std::shared_ptr<const ReflectionModel> (*make)(const Values& values);
-};
-void add(Entry entry);
+template <class Formula>
+ParameterInfo parameter_info(const Parameter<Formula>& p) {
+  static const Formula initial{};
+  ParameterInfo info{.key = p.key,
+                     .min = p.min,
+                     .max = p.max,
+                     .choices = p.choices,
+                     .meaning = p.meaning,
+                     .only_with = p.only_with,
+                     .varies = can_vary<Formula>};
+  const auto set = [&](ParameterKind kind, Value value) {
+    info.kind = kind, info.initial = std::move(value);
+  };
+  if (const auto* number = p.number()) set(ParameterKind::number, initial.**number);
+  if (const auto* colour = p.colour()) set(ParameterKind::colour, initial.**colour);
+  if (const auto* direction = p.direction()) set(ParameterKind::direction, initial.**direction);
+  if (const auto* choice = p.choice())
+    set(ParameterKind::choice, p.choices[std::size_t(initial.**choice)]), info.varies = false;
+  return info;
+}
 
 template <class Formula>
 std::shared_ptr<const ReflectionModel> make_formula_model(const Values& values) {
-  static const Description<Formula> description = Formula::describe();
-  Formula formula;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto& member = description.parameters[i].member;
-    if (const auto* number = std::get_if<double Formula::*>(&member))
-      formula.** number = values[i].second.r;
+  static const std::vector<Parameter<Formula>> parameters = Formula::describe().parameters;
+  Formula formula{};
+  std::vector<Varying> varying;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (const auto* input = std::get_if<std::shared_ptr<const Input>>(&values[i].second))
+      varying.push_back({i, *input});
     else
-      formula.*std::get<Rgb<double> Formula::*>(member) = values[i].second;
-  }
+      assign(formula, parameters[i], values[i].second);
+  if constexpr (can_vary<Formula>)
+    if (!varying.empty())
+      return std::make_shared<VaryingModel<Formula>>(std::move(formula), std::move(varying));
+  if constexpr (requires { formula.prepare(); }) formula.prepare();
   return std::make_shared<FormulaModel<Formula>>(std::move(formula));
 }
 
-/// `inline const Registered<MyModel> my_model_registered;` at the end of a model's file puts it
+/// `inline const Registered<MyModel<>> my_model_registered;` at the end of a model's file puts it
 /// into the registry of every program that includes the file, once.
 template <class Formula>
 struct Registered {
   Registered() {
-    Description<Formula> d = Formula::describe();
-    ModelInfo info{d.name, d.title, d.source, d.reciprocal, d.energy_bounded, {}};
-    const Formula initial;
-    for (const Parameter<Formula>& p : d.parameters) {
-      const auto* number = std::get_if<double Formula::*>(&p.member);
-      const auto value = number ? Rgb<double>(initial.**number)
-                                : initial.*std::get<Rgb<double> Formula::*>(p.member);
-      info.parameters.push_back({p.key, !number, value, p.min, p.max, p.meaning});
-    }
-    add({std::move(info), &make_formula_model<Formula>});
+    const Description<Formula> d = Formula::describe();
+    ModelInfo info{d.kind,       d.year,           d.name,       d.title, d.source,
+                   d.reciprocal, d.energy_bounded, d.exceptions, "",      {}};
+    for (const auto& p : d.parameters) info.parameters.push_back(parameter_info(p));
+    add(Entry{std::move(info), &make_model});
+  }
+
+ private:
+  static NamedModel make_model(const ModelInfo& info, std::span<const Argument> arguments,
+                               const Context& context) {
+    Values values = read_values(context, info.parameters, arguments);
+    auto model = make_formula_model<Formula>(values);
+    return {.specification = {},
+            .model = std::move(model),
+            .values = std::move(values),
+            .tangents = {}};
   }
 };
 

@@ -12,8 +12,9 @@
 
 namespace scanlit::models {
 
+template <class P = double>
 struct Lambert {
-  Rgb<double> kd{0.8};
+  Rgb<P> kd{0.8};
 
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c) const {
@@ -22,6 +23,7 @@ struct Lambert {
 
   static Description<Lambert> describe() {
     return {.name = "lambert",
+            .year = 1760,
             .title = "Lambert (ideal diffuse)",
             .source = "Lambert 1760, Photometria",
             .reciprocal = true,
@@ -30,6 +32,6 @@ struct Lambert {
   }
 };
 
-inline const Registered<Lambert> lambert_registered;
+inline const Registered<Lambert<>> lambert_registered;
 
 }  // namespace scanlit::models

@@ -14,14 +14,15 @@
 
 namespace scanlit::models {
 
+template <class P = double>
 struct Phong {
-  Rgb<double> kd{0.6};
-  Rgb<double> ks{0.4};
-  double n = 50;
+  Rgb<P> kd{0.6};
+  Rgb<P> ks{0.4};
+  P n{50};
 
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c) const {
-    return {.diffuse = kd * c.n_l, .glossy = ks * pow(r_v(c), n)};
+    return {.diffuse = kd * c.n_l, .glossy = ks * pow(r_v(c), T(n))};
   }
 
   /// R.V from the four cosines. R - V = 2 (N.L) N - (L + V), split along and across N, gives
@@ -36,6 +37,7 @@ struct Phong {
 
   static Description<Phong> describe() {
     return {.name = "phong",
+            .year = 1975,
             .title = "Phong (R.V)",
             .source = "Phong 1975, Illumination for computer generated pictures, CACM 18(6)",
             .reciprocal = false,
@@ -46,6 +48,6 @@ struct Phong {
   }
 };
 
-inline const Registered<Phong> phong_registered;
+inline const Registered<Phong<>> phong_registered;
 
 }  // namespace scanlit::models

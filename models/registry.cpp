@@ -1,78 +1,69 @@
 #include "models/registry.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <cstdio>
 
-#include "models/formula.h"
+#include "models/catalogue.h"
 #include "rasterizer/error.h"
-
-// The registry: including a model's file registers it. A new model is one file and one line here.
-#include "models/blinn_phong.h"
-#include "models/lambert.h"
-#include "models/phong.h"
 
 namespace scanlit::models {
 
 namespace {
 
-// A function's static, because models in other files register before main().
+// A function's statics, because models in other files register before main().
 std::vector<Entry>& entries() {
   static std::vector<Entry> all;
   return all;
 }
+std::vector<InputEntry>& inputs() {
+  static std::vector<InputEntry> all;
+  return all;
+}
 
-template <class Range, class Name>
-std::vector<std::string> names(const Range& range, Name name) {
-  std::vector<std::string> result(range.size());
-  std::transform(range.begin(), range.end(), result.begin(), name);
+template <class E>
+std::vector<std::string> names(const std::vector<E>& all) {
+  std::vector<std::string> result;
+  for (const E& entry : all) result.push_back(entry.info.name);
+  std::sort(result.begin(), result.end());
   return result;
 }
 
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%g", value);
-  return text;
+template <class E>
+const E& find(const std::vector<E>& all, const std::string& name, const std::string& what) {
+  const auto named = [&](const E& entry) { return entry.info.name == name; };
+  const auto found = std::find_if(all.begin(), all.end(), named);
+  if (found == all.end())
+    throw Error("unknown " + what + " '" + name + "'" + did_you_mean(name, names(all)));
+  // A copied file whose name was not changed: one of the two would never be drawn.
+  if (std::count_if(found, all.end(), named) > 1)
+    throw Error(what + " '" + name + "'",
+                "two of them have this name; rename one in its describe()");
+  return *found;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto end = text.find(separator);
-    parts.push_back(text.substr(0, end));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
-}
-
-double parse_number(const std::string& where, std::string_view text, const ParameterInfo& p) {
-  const std::string wanted =
-      "'" + p.key + "' wants a number from " + number_text(p.min) + " to " + number_text(p.max);
-  double value = 0;
-  const auto [end, problem] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (problem != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-    throw Error(where, wanted + ", not '" + std::string(text) + "'");
-  if (value < p.min || value > p.max) throw Error(where, wanted + ", not " + std::string(text));
-  return value;
-}
-
-Rgb<double> parse_value(const std::string& where, std::string_view text, const ParameterInfo& p) {
-  const auto channels = split(text, '/');
-  if (channels.size() == 1) return Rgb<double>(parse_number(where, text, p));
-  if (!p.colour || channels.size() != 3)
-    throw Error(where, "'" + p.key + "' wants " +
-                           (p.colour ? "one number or r/g/b" : "one number") + ", not '" +
-                           std::string(text) + "'");
-  return {parse_number(where, channels[0], p), parse_number(where, channels[1], p),
-          parse_number(where, channels[2], p)};
-}
+/// A specification within a specification within ...: a file of a million parentheses must not
+/// exhaust the stack.
+constexpr int deepest = 16;
 
 }  // namespace
 
-void add(Entry entry) { entries().push_back(std::move(entry)); }
+bool add(Entry entry) {
+  auto& all = entries();
+  const auto later =
+      std::upper_bound(all.begin(), all.end(), entry, [](const Entry& a, const Entry& b) {
+        return std::tie(a.info.kind, a.info.year, a.info.name) <
+               std::tie(b.info.kind, b.info.year, b.info.name);
+      });
+  all.insert(later, std::move(entry));
+  return true;
+}
+
+bool add(InputEntry entry) {
+  inputs().push_back(std::move(entry));
+  return true;
+}
 
 const std::vector<ModelInfo>& list() {
+  link_catalogue();
   static std::vector<ModelInfo> infos;
   if (infos.size() != entries().size()) {
     infos.clear();
@@ -81,45 +72,43 @@ const std::vector<ModelInfo>& list() {
   return infos;
 }
 
-NamedModel make(std::string_view specification) {
-  const auto colon = specification.find(':');
-  const std::string name(specification.substr(0, colon));
-  const auto entry = std::find_if(entries().begin(), entries().end(),
-                                  [&](const Entry& e) { return e.info.name == name; });
-  if (entry == entries().end())
-    throw Error("unknown model '" + name + "'" +
-                did_you_mean(name, names(entries(), [](const Entry& e) { return e.info.name; })));
+const std::vector<ModelInfo>& list_inputs() {
+  static const std::vector<ModelInfo> infos = [] {
+    std::vector<ModelInfo> result;
+    for (const InputEntry& entry : inputs()) result.push_back(entry.info);
+    return result;
+  }();
+  return infos;
+}
 
-  // A copied file whose name was not changed: one of the two would never be drawn.
-  if (std::count_if(entry, entries().end(), [&](const Entry& e) { return e.info.name == name; }) >
-      1)
-    throw Error("model '" + name + "'", "two models have this name; rename one in its describe()");
+NamedModel make(std::string_view text, const std::filesystem::path& folder) {
+  return make(text, Context{.where = "", .folder = folder, .depth = 0});
+}
 
-  const auto& parameters = entry->info.parameters;
-  Values values;
-  for (const ParameterInfo& p : parameters) values.emplace_back(p.key, p.initial);
-  std::vector<bool> given(parameters.size());
-  if (colon != std::string_view::npos) {
-    for (const std::string_view assignment : split(specification.substr(colon + 1), ',')) {
-      const auto equals = assignment.find('=');
-      const std::string key(assignment.substr(0, equals));
-      if (key.empty() || equals == std::string_view::npos)
-        throw Error("model '" + name + "'",
-                    "expected key=value, not '" + std::string(assignment) + "'");
-      const auto found = std::find_if(parameters.begin(), parameters.end(),
-                                      [&](const ParameterInfo& p) { return p.key == key; });
-      if (found == parameters.end())
-        throw Error("model '" + name + "'",
-                    "unknown parameter '" + key + "'" +
-                        did_you_mean(key, names(parameters, [](auto& p) { return p.key; })));
-      const auto index = std::size_t(found - parameters.begin());
-      if (given[index]) throw Error("model '" + name + "'", "'" + key + "' is given twice");
-      given[index] = true;
-      values[index].second =
-          parse_value("model '" + name + "'", assignment.substr(equals + 1), *found);
-    }
-  }
-  return {std::string(specification), entry->make(values), std::move(values)};
+NamedModel make(std::string_view text, const Context& context) {
+  const Specification specification = parse_specification(text);
+  const std::string& name = specification.name;
+  const Entry& entry = find(entries(), name, "model");
+  const std::string where = "model '" + name + "'";
+  if (context.depth == deepest) throw Error(where, "models are nested too deeply");
+  NamedModel result =
+      entry.make(entry.info, specification.arguments, {where, context.folder, context.depth + 1});
+  result.specification = text;
+  return result;
+}
+
+std::shared_ptr<const Input> make_input(std::string_view call, const Context& context) {
+  const Specification specification = parse_call(call);
+  const InputEntry& entry = find(inputs(), specification.name, "input");
+  const Context inside{context.where + ", " + specification.name, context.folder, context.depth};
+  return entry.make(read_values(inside, entry.info.parameters, specification.arguments));
+}
+
+bool is_input(std::string_view text) {
+  const auto open = text.find('(');
+  if (open != text.npos) return open > 0 && !text.starts_with('(');
+  return std::any_of(inputs().begin(), inputs().end(),
+                     [&](const InputEntry& entry) { return entry.info.name == text; });
 }
 
 }  // namespace scanlit::models

@@ -67,8 +67,6 @@ T pow(const Cosine<T>& c, const T& n) {
   const T power = exp(n * log_sum(max(c.cos, T(1e-37)), lost));
   return select(c.cos > zero, power, select(n > zero, zero, one));
 }
-template <class T>
-requires(!std::is_same_v<T, double>) T pow(const Cosine<T>& c, double n) { return pow(c, T(n)); }
 
 /// The angle in radians, from its versine: alpha = 2 asin(sqrt(versine / 2)). Maximum error in
 /// float and Batch, versine in [0, 1]: 4e-7 relative, also near 0, where the acos of a rounded

@@ -16,6 +16,7 @@ struct Vec3 {
   friend Vec3 operator-(const Vec3& a) { return {-a.x, -a.y, -a.z}; }
   friend Vec3 operator*(const Vec3& a, const T& s) { return {a.x * s, a.y * s, a.z * s}; }
   friend Vec3 operator*(const T& s, const Vec3& a) { return a * s; }
+  friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
 template <class T>

@@ -37,9 +37,9 @@ Material make_material(const MaterialDescription& description) {
   material.model = description.model.model;
   material.form = description.form;
   material.object_colour = description.object_colour;
-  for (const auto& [key, value] : description.model.values)
-    if (key == "kd") material.ka = value * ambient_share;
-  material.ka = description.ka.value_or(material.ka);
+  // What the model's diffuse part shows when lit and seen head-on: kd, where it has one.
+  const Rgb<double> head_on = material.model->evaluate(Vec3<double>{0, 0, 1}, {0, 0, 1}).diffuse;
+  material.ka = description.ka.value_or(head_on * ambient_share);
   return material;
 }
 

@@ -70,7 +70,8 @@ struct Description {
   Rgb<double> background{0.03, 0.034, 0.042};
 };
 
-/// The ambient reflectance of a material that names none, as a share of its model's `kd`.
+/// The ambient reflectance of a material that names none, as a share of what its model's diffuse
+/// part shows when lit and seen head-on.
 constexpr double ambient_share = 0.15;
 
 /// What an object is made of where nobody says.

@@ -9,20 +9,62 @@
 namespace scanlit::studio {
 namespace {
 
+std::string kind_of(const models::ParameterInfo& parameter) {
+  static constexpr const char* words[] = {"number", "colour", "direction",
+                                          "choice", "file",   "model"};
+  return words[int(parameter.kind)];
+}
+
+std::string initial_of(const models::ParameterInfo& parameter) {
+  if (const auto* number = std::get_if<double>(&parameter.initial)) return text_of(*number);
+  if (const auto* colour = std::get_if<Rgb<double>>(&parameter.initial)) return text_of(*colour);
+  if (const auto* d = std::get_if<Vec3<double>>(&parameter.initial))
+    return text_of(d->x) + '/' + text_of(d->y) + '/' + text_of(d->z);
+  if (const auto* text = std::get_if<std::string>(&parameter.initial)) return *text;
+  return "";
+}
+
+std::string allowed_for(const models::ParameterInfo& parameter) {
+  std::string words;
+  for (const std::string& word : parameter.choices) words += (words.empty() ? "" : "|") + word;
+  if (parameter.kind == models::ParameterKind::number ||
+      parameter.kind == models::ParameterKind::colour)
+    return text_of(parameter.min) + " to " + text_of(parameter.max);
+  return words;
+}
+
+void print_parameters(const models::ModelInfo& model) {
+  std::vector<std::vector<std::string>> rows;
+  for (const models::ParameterInfo& parameter : model.parameters)
+    rows.push_back(
+        {parameter.key, kind_of(parameter), initial_of(parameter), allowed_for(parameter),
+         parameter.meaning +
+             (parameter.only_with.empty() ? "" : " (with " + parameter.only_with + ")")});
+  print_columns(std::cout, rows, "    ");
+}
+
 void print_model(const models::ModelInfo& model) {
   std::cout << '\n' << model.name << ": " << model.title << '\n';
   print_wrapped(std::cout, model.source, "  ");
-  std::vector<std::vector<std::string>> rows;
-  for (const models::ParameterInfo& parameter : model.parameters)
-    rows.push_back({parameter.key, parameter.colour ? "colour" : "number",
-                    text_of(parameter.colour ? parameter.initial : Rgb(parameter.initial.r)),
-                    text_of(parameter.min) + " to " + text_of(parameter.max), parameter.meaning});
-  print_columns(std::cout, rows, "    ");
+  if (model.kind == models::Kind::model)
+    print_wrapped(std::cout,
+                  std::string(model.reciprocal ? "reciprocal, " : "not reciprocal, ") +
+                      (model.energy_bounded ? "energy-bounded" : "not energy-bounded") +
+                      (model.exceptions.empty() ? "" : "; " + model.exceptions),
+                  "  ");
+  print_parameters(model);
 }
 
 void list_models() {
   std::cout << "Reflection models, with each parameter's kind, default, range and meaning.\n";
-  for (const models::ModelInfo& model : models::list()) print_model(model);
+  for (const models::ModelInfo& model : models::list())
+    if (model.kind == models::Kind::model) print_model(model);
+  std::cout << "\nFactors of models, which can be drawn and queried alone.\n";
+  for (const models::ModelInfo& model : models::list())
+    if (model.kind == models::Kind::part) print_model(model);
+  std::cout
+      << "\nInputs: what a number, colour or direction may be that varies over the surface.\n";
+  for (const models::ModelInfo& input : models::list_inputs()) print_model(input);
   std::cout << "\nA colour is r/g/b, linear, or one number for grey. Example:\n"
                "  scanlit render teapot --model blinn-phong:kd=.6/.3/.2,n=50\n";
 }

@@ -164,8 +164,8 @@ int main(int argc, char** argv) {
   using namespace scanlit::bench;
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  compare_model<scanlit::models::BlinnPhong>();
-  compare_model<scanlit::models::Phong>();
-  compare_model<scanlit::models::Lambert>();
+  compare_model<scanlit::models::BlinnPhong<>>();
+  compare_model<scanlit::models::Phong<>>();
+  compare_model<scanlit::models::Lambert<>>();
   print_table(run(argc, argv));
 }

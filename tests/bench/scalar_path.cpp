@@ -81,8 +81,8 @@ SCANLIT_INLINED_WHOLE void light_scalar(const Formula& formula, const Frame& fra
 #define SCANLIT_SCALAR_PATH_OF(Formula)                                                       \
   template void evaluate_scalar(const Formula&, const DirectionSpan&, const ReflectionSpan&); \
   template void light_scalar(const Formula&, const Frame&, const Draw&, SurfaceSpan&, LitSpan&)
-SCANLIT_SCALAR_PATH_OF(models::BlinnPhong);
-SCANLIT_SCALAR_PATH_OF(models::Phong);
-SCANLIT_SCALAR_PATH_OF(models::Lambert);
+SCANLIT_SCALAR_PATH_OF(models::BlinnPhong<>);
+SCANLIT_SCALAR_PATH_OF(models::Phong<>);
+SCANLIT_SCALAR_PATH_OF(models::Lambert<>);
 
 }  // namespace scanlit::bench

@@ -91,7 +91,7 @@ void expect_finite(const Framebuffer& framebuffer) {
 
 Object shiny(std::shared_ptr<const Mesh> mesh, Shading shading) {
   Object object = object_of(std::move(mesh), White(), shading);
-  object.material.model = std::make_shared<FormulaModel<models::BlinnPhong>>(models::BlinnPhong());
+  object.material.model = std::make_shared<FormulaModel<models::BlinnPhong<>>>(models::BlinnPhong<>());
   return object;
 }
 

@@ -34,16 +34,30 @@ inline std::string text(double value) {
   return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value).ptr};
 }
 
-/// A model with its default parameters, with each parameter at the ends of its range and between,
-/// and with all colours at their largest.
+/// A model with its default parameters, with each choice, with each parameter at the ends of its
+/// range and between, where it has a meaning, and with all colours at their largest.
 inline std::vector<std::string> specifications(const models::ModelInfo& info) {
   std::vector<std::string> result = {info.name};
   std::string brightest;
   for (const auto& p : info.parameters) {
-    for (const double value : {p.min, p.max, 1.0, 20.0, 1000.0, 12000.0})
-      if (value >= p.min && value <= p.max)
-        result.push_back(info.name + ":" + p.key + "=" + text(value));
-    if (p.colour) brightest += (brightest.empty() ? ":" : ",") + p.key + "=" + text(p.max);
+    std::vector<std::string> begins;  // "NAME:D=blinn,", for each choice that gives p a meaning
+    const auto equals = p.only_with.find('=');
+    if (equals == std::string::npos)
+      begins = {info.name + ":"};
+    else
+      for (const auto word :
+           models::split_outside_parentheses(std::string_view(p.only_with).substr(equals + 1), '|'))
+        begins.push_back(info.name + ":" + p.only_with.substr(0, equals + 1) + std::string(word) +
+                         ",");
+    for (const std::string& begin : begins) {
+      for (const std::string& word : p.choices) result.push_back(begin + p.key + "=" + word);
+      if (p.kind != models::ParameterKind::number && p.kind != models::ParameterKind::colour)
+        continue;
+      for (const double value : {p.min, p.max, 0.05, 1.0, 20.0, 1000.0, 12000.0})
+        if (value >= p.min && value <= p.max) result.push_back(begin + p.key + "=" + text(value));
+    }
+    if (p.kind == models::ParameterKind::colour && p.only_with.empty())
+      brightest += (brightest.empty() ? ":" : ",") + p.key + "=" + text(p.max);
   }
   result.push_back(info.name + brightest);
   return result;
@@ -52,7 +66,7 @@ inline std::vector<std::string> specifications(const models::ModelInfo& info) {
 /// The exponent a specification sets, else 0.
 inline double exponent(const models::NamedModel& model) {
   for (const auto& [key, value] : model.values)
-    if (key == "n") return value.r;
+    if (key == "n") return std::get<double>(value);
   return 0;
 }
 

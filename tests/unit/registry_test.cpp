@@ -16,7 +16,7 @@ namespace {
 /// The value a parameter has got.
 Rgb<double> value_of(std::string_view specification, const std::string& key) {
   for (const auto& [name, value] : make(specification).values)
-    if (name == key) return value;
+    if (name == key) return colour_of(value);
   ADD_FAILURE() << "no parameter " << key;
   return {};
 }
@@ -39,9 +39,11 @@ TEST(Registry, ListsEveryModelWithWhatThereIsToKnow) {
     for (const ParameterInfo& p : info.parameters) {
       EXPECT_TRUE(keys.insert(p.key).second) << info.name << ' ' << p.key;
       EXPECT_FALSE(p.meaning.empty()) << info.name << ' ' << p.key;
+      if (p.kind != ParameterKind::number && p.kind != ParameterKind::colour) continue;
       EXPECT_LT(p.min, p.max) << info.name << ' ' << p.key;
-      for (const double initial : {p.initial.r, p.initial.g, p.initial.b})
-        EXPECT_TRUE(initial >= p.min && initial <= p.max) << info.name << ' ' << p.key;
+      const Rgb<double> initial = colour_of(p.initial);
+      for (const double channel : {initial.r, initial.g, initial.b})
+        EXPECT_TRUE(channel >= p.min && channel <= p.max) << info.name << ' ' << p.key;
     }
   }
   for (const char* name : {"lambert", "phong", "blinn-phong"}) EXPECT_TRUE(names.contains(name));
@@ -101,12 +103,12 @@ TEST(RegistryDeathTest, TwoModelsOfOneName) {
   // would lack the threads that libraries wait for at its end.
   GTEST_FLAG_SET(death_test_style, "threadsafe");
   const auto register_another = [] {
-    const Registered<Lambert> another;
+    const Registered<Lambert<>> another;
     std::cerr << error_of("lambert");
     std::exit(0);
   };
   EXPECT_EXIT(register_another(), testing::ExitedWithCode(0),
-              "model 'lambert': two models have this name");
+              "model 'lambert': two of them have this name");
 }
 
 TEST(Registry, MalformedAssignments) {

@@ -72,7 +72,7 @@ Scene busy_scene() {
       // More than one chunk of triangles in some, none at all in others.
       Object object = object_of(tangle(seed, 300, seed == 3 ? 18000 : 1000), White(), shading);
       object.material.model =
-          std::make_shared<FormulaModel<models::BlinnPhong>>(models::BlinnPhong());
+          std::make_shared<FormulaModel<models::BlinnPhong<>>>(models::BlinnPhong<>());
       object.material.ka = Rgb<double>(0.2);
       object.material.form = seed % 2 ? ColourForm::tinted : ColourForm::plastic;
       object.sides = sides;

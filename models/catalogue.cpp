@@ -1,0 +1,15 @@
+// A new model is one file and one line here.
+#include "models/catalogue.h"
+
+#include "models/blinn_phong.h"
+#include "models/lambert.h"
+#include "models/phong.h"
+
+namespace scanlit::models {
+
+void link_catalogue() {
+  link_microfacet_catalogue();
+  link_input_catalogue();
+}
+
+}  // namespace scanlit::models

@@ -1,0 +1,7 @@
+#include "models/catalogue.h"
+
+namespace scanlit::models {
+
+void link_microfacet_catalogue() {}
+
+}  // namespace scanlit::models
