@@ -62,20 +62,29 @@ ParameterInfo parameter_info(const Parameter<Formula>& p) {
   return info;
 }
 
+/// A formula with the constant ones of its parameters set.
 template <class Formula>
-std::shared_ptr<const ReflectionModel> make_formula_model(const Values& values) {
+Formula make_formula(const Values& values) {
   static const std::vector<Parameter<Formula>> parameters = Formula::describe().parameters;
   Formula formula{};
-  std::vector<Varying> varying;
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (const auto* input = std::get_if<std::shared_ptr<const Input>>(&values[i].second))
-      varying.push_back({i, *input});
-    else
+    if (!std::holds_alternative<std::shared_ptr<const Input>>(values[i].second))
       assign(formula, parameters[i], values[i].second);
-  if constexpr (can_vary<Formula>)
+  if constexpr (requires { formula.prepare(); }) formula.prepare();
+  return formula;
+}
+
+template <class Formula>
+std::shared_ptr<const ReflectionModel> make_formula_model(const Values& values) {
+  Formula formula = make_formula<Formula>(values);
+  if constexpr (can_vary<Formula>) {
+    std::vector<Varying> varying;
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (const auto* input = std::get_if<std::shared_ptr<const Input>>(&values[i].second))
+        varying.push_back({i, *input});
     if (!varying.empty())
       return std::make_shared<VaryingModel<Formula>>(std::move(formula), std::move(varying));
-  if constexpr (requires { formula.prepare(); }) formula.prepare();
+  }
   return std::make_shared<FormulaModel<Formula>>(std::move(formula));
 }
 

@@ -4,7 +4,7 @@
 //              virtual call per span of 256 fragments
 //   light      what the renderer does with a span: position and normal to world space, normal and
 //              direction to the viewer normalised, the model under one directional light, times
-//              the light's colour
+//              the light's colour; for the lecture's models, which need no tangents
 // Both flush subnormals, as render() does.
 #include <benchmark/benchmark.h>
 #include <immintrin.h>
@@ -16,9 +16,6 @@
 #include <memory>
 #include <random>
 
-#include "models/blinn_phong.h"
-#include "models/lambert.h"
-#include "models/phong.h"
 #include "models/registry.h"
 #include "report.h"
 #include "scalar_path.h"
@@ -39,6 +36,7 @@ struct Setup {
   SurfaceSpan surface[span_count];
   LitSpan lit;
   float to_light[3][SurfaceSpan::padded], to_viewer[span_count][3][SurfaceSpan::padded];
+  float tangent[span_count][3][SurfaceSpan::padded];
 
   explicit Setup(const std::string& model) {
     scene.lights.push_back({.direction = {1, 1, 1}});
@@ -59,9 +57,11 @@ struct Setup {
     for (int i = 0; i < SurfaceSpan::capacity; ++i) {
       const double z = height(random), r = std::sqrt(1 - z * z), phi = azimuth(random);
       const double point[3] = {r * std::cos(phi), r * std::sin(phi), z};
+      const double around[3] = {-std::sin(phi), std::cos(phi), 0};
       const double distance = std::hypot(point[0], point[1], point[2] - camera.eye.z);
       for (int c = 0; c < 3; ++c) {
         surface[s].position[c][i] = surface[s].normal[c][i] = float(point[c]);
+        tangent[s][c][i] = float(around[c]);
         to_viewer[s][c][i] = float((camera.eye[c] - point[c]) / distance);
       }
     }
@@ -73,6 +73,7 @@ struct Setup {
       in.normal[c] = surface[s].normal[c];
       in.to_light[c] = to_light[c];
       in.to_viewer[c] = to_viewer[s][c];
+      if (scene.objects[0].material.model->needs().frame) in.tangent[c] = tangent[s][c];
     }
     return in;
   }
@@ -123,21 +124,32 @@ void compare(const std::string& name, const std::shared_ptr<Setup>& setup, Scala
   measure(name + " batch", setup, vector);
 }
 
-template <class Formula>
-void compare_model() {
-  const std::string name = Formula::describe().name;
-  const auto setup = std::make_shared<Setup>(name);
-  const Formula formula;
+/// Every model that is one formula, where it has choices the ones that differ in cost.
+const std::vector<std::string> specifications = {
+    "blinn-phong",
+    "phong",
+    "lambert",
+};
+const std::vector<std::string> lit_specifications = {"blinn-phong", "phong", "lambert"};
+
+void compare_evaluate(const std::string& specification) {
+  const auto setup = std::make_shared<Setup>(specification);
   compare(
-      "evaluate " + name, setup,
-      [formula](Setup& on, int s) { evaluate_scalar(formula, on.directions(s), on.reflection()); },
+      "evaluate " + specification, setup,
+      [path = scalar_path(specification)](Setup& on, int s) {
+        path.evaluate(on.directions(s), on.reflection());
+      },
       [](Setup& on, int s) {
         on.scene.objects[0].material.model->evaluate(on.directions(s), on.reflection());
       });
+}
+
+void compare_light(const std::string& specification) {
+  const auto setup = std::make_shared<Setup>(specification);
   compare(
-      "light " + name, setup,
-      [formula](Setup& on, int s) {
-        light_scalar(formula, on.frame, on.draw, on.surface[s], on.lit);
+      "light " + specification, setup,
+      [path = scalar_path(specification)](Setup& on, int s) {
+        path.light(on.frame, on.draw, on.surface[s], on.lit);
       },
       [](Setup& on, int s) {
         FrameStats stats;
@@ -145,16 +157,18 @@ void compare_model() {
       });
 }
 
+void print_row(const Figures& figures, const std::string& name) {
+  const auto scalar = figures.find(name + " scalar"), batch = figures.find(name + " batch");
+  if (scalar == figures.end() || batch == figures.end()) return;
+  const double a = scalar->second.at("ns"), b = batch->second.at("ns");
+  std::printf("%-66s %8.2f %8.2f %8.1f\n", name.c_str(), a, b, a / b);
+}
+
 void print_table(const Figures& figures) {
-  std::printf("ns per fragment (%s)     scalar    Batch    ratio\n", vector_level().c_str());
-  for (const char* what : {"evaluate", "light"})
-    for (const char* model : {"blinn-phong", "phong", "lambert"}) {
-      const std::string name = std::string(what) + " " + model;
-      const auto scalar = figures.find(name + " scalar"), batch = figures.find(name + " batch");
-      if (scalar == figures.end() || batch == figures.end()) continue;
-      const double a = scalar->second.at("ns"), b = batch->second.at("ns");
-      std::printf("%-36s %8.2f %8.2f %8.1f\n", name.c_str(), a, b, a / b);
-    }
+  std::printf("%-66s %8s %8s %8s\n", ("ns per fragment, " + vector_level()).c_str(), "scalar",
+              "Batch", "ratio");
+  for (const std::string& s : specifications) print_row(figures, "evaluate " + s);
+  for (const std::string& s : lit_specifications) print_row(figures, "light " + s);
 }
 
 }  // namespace
@@ -164,8 +178,7 @@ int main(int argc, char** argv) {
   using namespace scanlit::bench;
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
-  compare_model<scanlit::models::BlinnPhong<>>();
-  compare_model<scanlit::models::Phong<>>();
-  compare_model<scanlit::models::Lambert<>>();
+  for (const std::string& s : specifications) compare_evaluate(s);
+  for (const std::string& s : lit_specifications) compare_light(s);
   print_table(run(argc, argv));
 }

@@ -1,6 +1,8 @@
 #include "scalar_path.h"
 
 #include <glm/geometric.hpp>
+#include <map>
+#include <stdexcept>
 
 #include "models/blinn_phong.h"
 #include "models/lambert.h"
@@ -33,20 +35,26 @@ Vec3<float> transform(const glm::mat3& m, const Vec3<float>& v) {
 Vec3<float> normalize(const Vec3<float>& v) { return v * (1 / sqrt(dot(v, v))); }
 
 template <class Formula>
-Reflection<float> above_horizon(const Formula& formula, const Vec3<float>& n, const Vec3<float>& l,
-                                const Vec3<float>& v) {
+Reflection<float> reflect(const Formula& formula, const Vec3<float>& n, const Vec3<float>& l,
+                          const Vec3<float>& v, const float* const* tangent = nullptr,
+                          std::size_t i = 0) {
   const Cosines<float> c = cosines(n, l, v);
-  return c.n_l > 0 ? formula(c) : Reflection<float>{};
+  if (!(c.n_l > 0)) return {};
+  if constexpr (Takes<Formula>::frame) {
+    ShadingFrame<float> frame;
+    if (tangent && tangent[0]) frame = shading_frame(n, load(tangent, i), l, v);
+    return formula(c, frame);
+  } else {
+    return formula(c);
+  }
 }
-
-}  // namespace
 
 template <class Formula>
 SCANLIT_INLINED_WHOLE void evaluate_scalar(const Formula& formula, const DirectionSpan& in,
                                            const ReflectionSpan& out) {
   for (std::size_t i = 0; i < in.size; ++i) {
-    const Reflection<float> value =
-        above_horizon(formula, load(in.normal, i), load(in.to_light, i), load(in.to_viewer, i));
+    const Reflection<float> value = reflect(formula, load(in.normal, i), load(in.to_light, i),
+                                            load(in.to_viewer, i), in.tangent, i);
     out.diffuse[0][i] = value.diffuse.r, out.glossy[0][i] = value.glossy.r;
     out.diffuse[1][i] = value.diffuse.g, out.glossy[1][i] = value.glossy.g;
     out.diffuse[2][i] = value.diffuse.b, out.glossy[2][i] = value.glossy.b;
@@ -70,7 +78,7 @@ SCANLIT_INLINED_WHOLE void light_scalar(const Formula& formula, const Frame& fra
         normalize(transform(draw.normal_from_object, load(surface.normal, i)));
     surface.normal[0][i] = normal.x, surface.normal[1][i] = normal.y;
     surface.normal[2][i] = normal.z;
-    const Reflection<float> value = above_horizon(formula, normal, to_light, to_viewer);
+    const Reflection<float> value = reflect(formula, normal, to_light, to_viewer);
     const Rgb<float> diffuse = tint * value.diffuse, glossy = tint * value.glossy;
     lit.diffuse[0][i] = diffuse.r, lit.glossy[0][i] = glossy.r;
     lit.diffuse[1][i] = diffuse.g, lit.glossy[1][i] = glossy.g;
@@ -78,11 +86,28 @@ SCANLIT_INLINED_WHOLE void light_scalar(const Formula& formula, const Frame& fra
   }
 }
 
-#define SCANLIT_SCALAR_PATH_OF(Formula)                                                       \
-  template void evaluate_scalar(const Formula&, const DirectionSpan&, const ReflectionSpan&); \
-  template void light_scalar(const Formula&, const Frame&, const Draw&, SurfaceSpan&, LitSpan&)
-SCANLIT_SCALAR_PATH_OF(models::BlinnPhong<>);
-SCANLIT_SCALAR_PATH_OF(models::Phong<>);
-SCANLIT_SCALAR_PATH_OF(models::Lambert<>);
+template <class Formula>
+ScalarPath path_of(const models::Values& values) {
+  const auto formula = models::make_formula<Formula>(values);
+  return {[formula](const DirectionSpan& in, const ReflectionSpan& out) {
+            evaluate_scalar(formula, in, out);
+          },
+          [formula](const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& lit) {
+            light_scalar(formula, frame, draw, surface, lit);
+          }};
+}
+
+}  // namespace
+
+ScalarPath scalar_path(const std::string& specification) {
+  static const std::map<std::string, ScalarPath (*)(const models::Values&)> paths = {
+      {"lambert", &path_of<models::Lambert<>>},
+      {"phong", &path_of<models::Phong<>>},
+      {"blinn-phong", &path_of<models::BlinnPhong<>>},
+  };
+  const auto path = paths.find(specification.substr(0, specification.find(':')));
+  if (path == paths.end()) throw std::logic_error("no scalar path of " + specification);
+  return path->second(models::make(specification).values);
+}
 
 }  // namespace scanlit::bench
