@@ -5,8 +5,9 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "rasterizer/batch.h"
 #include "rasterizer/scalar_math.h"
+#include "rasterizer/span_math.h"
+#include "rasterizer/tangents.h"
 
 namespace scanlit {
 
@@ -14,29 +15,13 @@ namespace {
 
 constexpr int padded = SurfaceSpan::padded;
 
-using Vec3Array = float[3][padded];
-
-Vec3<Batch> load(const Vec3Array& a, int i) {
-  return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
-}
-
-void store(const Vec3<Batch>& v, Vec3Array& a, int i) {
-  v.x.store(a[0] + i), v.y.store(a[1] + i), v.z.store(a[2] + i);
-}
-
-template <class V>
-Vec3<Batch> broadcast(const V& v) {
-  return {Batch(float(v.x)), Batch(float(v.y)), Batch(float(v.z))};
-}
-
 /// v / |v|, or `otherwise` where v has no direction: a normal interpolated to zero, a light or an
 /// eye that lies on the surface. Without the bound those would be 0/0.
 Vec3<Batch> normalize_or(const Vec3<Batch>& v, const Vec3<Batch>& otherwise) {
   const Batch length2 = dot(v, v), tiny(1e-30f);
   const auto has_direction = length2 > tiny;
   const Vec3<Batch> unit = v * (Batch(1) / sqrt(max(length2, tiny)));
-  return {select(has_direction, unit.x, otherwise.x), select(has_direction, unit.y, otherwise.y),
-          select(has_direction, unit.z, otherwise.z)};
+  return select(has_direction, unit, otherwise);
 }
 
 /// What the model's span is made of, in world space.
@@ -44,38 +29,12 @@ struct Directions {
   float position[3][padded];
   float to_viewer[3][padded];
   float to_light[3][padded];
-  float tangent[3][padded];
   float irradiance[padded];  // Ii times fall-off and spot cone, colour apart
 };
 
-Vec3<Batch> transform(const glm::mat3& m, const Vec3<Batch>& v) {
-  const auto row = [&](int i) {
-    return mul_add(Batch(m[0][i]), v.x, mul_add(Batch(m[1][i]), v.y, Batch(m[2][i]) * v.z));
-  };
-  return {row(0), row(1), row(2)};
-}
-
-/// As above; where a transform flattens the object, its axis may have no length.
-glm::vec3 unit_or(const glm::vec3& v, const glm::vec3& otherwise) {
-  const float length = glm::length(v);
-  return length > 0 ? v / length : otherwise;
-}
-
-/// A tangent field around the object's y axis: the direction in which longitude grows.
-Vec3<Batch> tangent_around_axis(const glm::vec3& axis, const glm::vec3& side,
-                                const Vec3<Batch>& normal) {
-  // At the poles the field has no direction; there it is continued by that of another axis.
-  const Vec3<Batch> around = cross(broadcast(axis), normal);
-  const Vec3<Batch> other = cross(broadcast(side), normal);
-  const auto pole = dot(around, around) < Batch(1e-6f);
-  const Vec3<Batch> t{select(pole, other.x, around.x), select(pole, other.y, around.y),
-                      select(pole, other.z, around.z)};
-  return normalize_or(t, broadcast(side));
-}
-
 /// Object space to world space, and the directions that do not depend on a light. A normal of no
 /// length is taken to face the viewer.
-void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Directions& d, Needs needs) {
+void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Directions& d) {
   const Camera& camera = frame.camera;
   const bool far_viewer =
       camera.viewer_at_infinity || camera.projection == Projection::orthographic;
@@ -83,8 +42,6 @@ void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Direction
   const glm::mat4& m = draw.object->world_from_object;
   const glm::mat3 linear(m);
   const Vec3<Batch> origin = broadcast(m[3]);
-  const glm::vec3 axis = unit_or(draw.normal_from_object[1], {0, 1, 0});
-  const glm::vec3 side = unit_or(draw.normal_from_object[0], {1, 0, 0});
 
   for (int i = 0; i < surface.size; i += Batch::lanes) {
     const Vec3<Batch> position = transform(linear, load(surface.position, i)) + origin;
@@ -95,7 +52,6 @@ void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Direction
     store(position, d.position, i);
     store(to_viewer, d.to_viewer, i);
     store(normal, surface.normal, i);
-    if (needs.frame) store(tangent_around_axis(axis, side, normal), d.tangent, i);
   }
 }
 
@@ -136,6 +92,25 @@ void positional(const Light& light, const SurfaceSpan& surface, Directions& d) {
   }
 }
 
+/// The surface as the model sees it, once place() has brought normals and tangents to world space.
+PointSpan point_span(const Draw& draw, const SurfaceSpan& surface, const DirectionSpan& placed) {
+  PointSpan points{.size = placed.size};
+  for (int c = 0; c < 3; ++c) {
+    points.object_position[c] = surface.position[c];
+    points.vertex_colour[c] = surface.colour[c];
+    points.normal[c] = placed.normal[c];
+    points.tangent[c] = placed.tangent[c];
+    for (int row = 0; row < 3; ++row)
+      points.world_from_object[c][row] = draw.object->world_from_object[c][row];
+  }
+  for (int c = 0; c < 2; ++c) {
+    points.texcoord[c] = surface.texcoord[c];
+    points.texcoord_dx[c] = surface.with_derivatives ? surface.texcoord_dx[c] : nullptr;
+    points.texcoord_dy[c] = surface.with_derivatives ? surface.texcoord_dy[c] : nullptr;
+  }
+  return points;
+}
+
 void accumulate(const SurfaceSpan& surface, const Directions& d, const LitSpan& reflection,
                 const Rgb<double>& diffuse_tint, const Rgb<double>& glossy_tint, LitSpan& lit) {
   const double tints[2][3] = {{diffuse_tint.r, diffuse_tint.g, diffuse_tint.b},
@@ -168,12 +143,11 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
   const Material& material = draw.object->material;
   const Needs needs = material.model->needs();
   Directions d;
-  place(frame, draw, surface, d, needs);
+  place(frame, draw, surface, d);
+  if (needs.frame) place_tangents(draw, surface);
 
   LitSpan reflection;
-  PointSpan points{.size = std::size_t(surface.size)};
   DirectionSpan in{.size = std::size_t(surface.size)};
-  if (needs.surface_point) in.points = &points;
   const ReflectionSpan out{
       .diffuse = {reflection.diffuse[0], reflection.diffuse[1], reflection.diffuse[2]},
       .glossy = {reflection.glossy[0], reflection.glossy[1], reflection.glossy[2]}};
@@ -181,12 +155,21 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
     in.normal[c] = surface.normal[c];
     in.to_light[c] = d.to_light[c];
     in.to_viewer[c] = d.to_viewer[c];
-    in.tangent[c] = needs.frame ? d.tangent[c] : nullptr;
-    points.object_position[c] = surface.position[c];
-    points.vertex_colour[c] = surface.colour[c];
-    if (c < 2) points.texcoord[c] = surface.texcoord[c];
+    in.tangent[c] = needs.frame ? surface.tangent[c] : nullptr;
     std::ranges::fill(lit.diffuse[c], 0.0f);
     std::ranges::fill(lit.glossy[c], 0.0f);
+  }
+
+  // What varies over the surface is the same under every light.
+  const PointSpan points = point_span(draw, surface, in);
+  if (needs.surface_point) in.points = &points;
+  std::vector<float*> parameters;
+  if (needs.parameters > 0) {
+    surface.parameters.resize(std::max(surface.parameters.size(), needs.parameters));
+    for (std::size_t k = 0; k < needs.parameters; ++k)
+      parameters.push_back(surface.parameters[k].data());
+    material.model->evaluate_parameters(points, parameters.data());
+    in.parameters = parameters.data();
   }
 
   for (const Light& source : frame.scene.lights) {
@@ -207,7 +190,7 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
 
 void place_normals(const Frame& frame, const Draw& draw, SurfaceSpan& surface) {
   Directions unused;
-  place(frame, draw, surface, unused, {});
+  place(frame, draw, surface, unused);
 }
 
 }  // namespace scanlit

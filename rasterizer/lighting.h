@@ -2,23 +2,9 @@
 // Flat, Gouraud and Phong shading all come here; shading.cpp decides with which points.
 #pragma once
 
-#include "rasterizer/pipeline.h"
+#include "rasterizer/surface.h"
 
 namespace scanlit {
-
-/// Points of one object's surface. Arrays may be read and written up to `size` rounded up to a
-/// whole vector.
-struct SurfaceSpan {
-  static constexpr int capacity = FragmentSpan::capacity;
-  static constexpr int padded = FragmentSpan::padded;
-
-  int size = 0;
-  float position[3][padded] = {};  // object space
-  float normal[3][padded] = {};    // in: object space, any length, on the viewer's side;
-                                   // out: world space, unit
-  float texcoord[2][padded] = {};
-  float colour[3][padded] = {};  // the vertex colour, linear
-};
 
 /// What the lights make of them: linear radiance, without the ambient term. Not initialised:
 /// clearing it would cost as much as a light.

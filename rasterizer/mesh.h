@@ -14,13 +14,17 @@ namespace scanlit {
 /// An indexed triangle mesh, flattened once from OpenMesh and never changed after. Right-handed
 /// object space; a front face is counter-clockwise seen from outside.
 /// Invariants (ensured by every function that returns a Mesh): positions and normals are finite;
-/// normals has positions' size and unit length; texcoords has positions' size or is empty; every
-/// index is below positions.size(); indices.size() is a multiple of 3.
+/// normals has positions' size and unit length; texcoords, tangents and colours have positions'
+/// size or are empty, tangents being there where texcoords are; every index is below
+/// positions.size(); indices.size() is a multiple of 3.
 struct Mesh {
   std::string name;                    // file name or shape specification, for messages
   std::vector<glm::vec3> positions;    // object space
   std::vector<glm::vec3> normals;      // object space, unit
   std::vector<glm::vec2> texcoords;    // (u, v), empty where the source has none
+  std::vector<glm::vec3> tangents;     // object space, in which u grows: unit and perpendicular to
+                                       // the normal, or zero where u has no direction
+  std::vector<glm::vec3> colours;      // linear RGB, 0..1, empty where the source has none
   std::vector<std::uint32_t> indices;  // three per triangle
   bool closed = false;                 // no boundary, consistently oriented, outward: only front
                                        // faces can be seen from outside

@@ -10,7 +10,9 @@
 //   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
+//       surface          surface.h          attributes at faces, vertices, fragments   object
 //       lighting         lighting.cpp       the reflection model, under every light    world
+//       tangents         tangents.h         which way the surface is brushed           world
 //  (10) framebuffer      framebuffer.h      linear light
 //  (11) image            image.h            a file
 //
@@ -268,6 +270,11 @@ struct FragmentSpan {
   std::uint32_t pixel[capacity];  // y * width + x
   float weight[capacity];         // share of the pixel's samples, 0..1
   float b1[padded], b2[padded];   // barycentric coordinates in the mesh's triangle
+  // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.
+  bool with_derivatives = false;
+  struct Derivatives {
+    float b1[padded], b2[padded];
+  } dx, dy;  // on the right, below
 };
 
 /// Where a Gouraud object's model is evaluated for one corner of a triangle: see LitSites.

@@ -16,6 +16,9 @@ FragmentSpan& SpanCollector::span_of(const Draw& draw) {
     unused_.pop_back();
     span->draw = &draw;
     span->size = span->run_count = 0;
+    // Only at fragments is a model given pixels. Asked here, once: a run may be of one pixel.
+    span->with_derivatives = draw.object->shading == Shading::phong &&
+                             draw.object->material.model->needs().texcoord_derivatives;
     open_.push_back(draw.index);
   }
   return *span;
@@ -51,7 +54,59 @@ void store_steps(double start, double step, double scale, int count, float* out)
   }
 }
 
+/// By how much the weights of a triangle's corners grow with one step on the screen. A weight is
+/// b_k = e_k / (e_0 + e_1 + e_2), e_k the edge function over w of the corner: linear on the screen.
+class Growth {
+ public:
+  Growth(const double (&step)[3], const double (&inv_w)[3]) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      step_[k] = step[k] * inv_w[k];
+      sum += step[k] * inv_w[k];
+    }
+    sum_ = sum;
+  }
+
+  /// db_k = (de_k - b_k d(e_0 + e_1 + e_2)) / (e_0 + e_1 + e_2): no difference of two weights, of
+  /// which a pixel that is small against the triangle would leave nothing.
+  void at(const Batch (&b)[3], const Batch& inverse_sum, const ClippedTriangle* piece, int i,
+          FragmentSpan::Derivatives& out) const {
+    Batch d[3];
+    for (int k = 0; k < 3; ++k) d[k] = (step_[k] - b[k] * sum_) * inverse_sum;
+    const auto in_source = [&](int vertex) {
+      if (!piece) return d[vertex];
+      const auto& m = piece->barycentric;
+      return d[0] * Batch(m[0][vertex]) + d[1] * Batch(m[1][vertex]) + d[2] * Batch(m[2][vertex]);
+    };
+    in_source(1).store(out.b1 + i);
+    in_source(2).store(out.b2 + i);
+  }
+
+ private:
+  Batch step_[3], sum_;
+};
+
 }  // namespace
+
+void VisibleTriangle::append_derivatives(const float* b0, int count, bool perspective,
+                                         FragmentSpan& span) const {
+  const auto& [a, b, c] = triangle_.vertices;
+  const double inv_w[3] = {perspective ? double(a.inv_w) : 1, perspective ? double(b.inv_w) : 1,
+                           perspective ? double(c.inv_w) : 1};
+  const double pixel = subpixel / double(triangle_.twice_area);
+  const Growth right({(c.y - b.y) * pixel, (a.y - c.y) * pixel, (b.y - a.y) * pixel}, inv_w);
+  const Growth below({(b.x - c.x) * pixel, (c.x - a.x) * pixel, (a.x - b.x) * pixel}, inv_w);
+  for (int i = 0; i < count; i += Batch::lanes) {
+    const int at = span.size + i;
+    Batch w[3] = {Batch::load(b0 + i) * Batch(inv_w[0]),
+                  Batch::load(span.b1 + at) * Batch(inv_w[1]),
+                  Batch::load(span.b2 + at) * Batch(inv_w[2])};
+    const Batch inverse_sum = Batch(1) / (w[0] + w[1] + w[2]);
+    for (Batch& weight : w) weight = weight * inverse_sum;
+    right.at(w, inverse_sum, piece_, at, span.dx);
+    below.at(w, inverse_sum, piece_, at, span.dy);
+  }
+}
 
 void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel, float weight,
                              Interpolation interpolation, FragmentSpan& span) const {
@@ -72,6 +127,7 @@ void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel,
 
   const bool perspective =
       interpolation == Interpolation::perspective && (a.inv_w != b.inv_w || b.inv_w != c.inv_w);
+  if (span.with_derivatives) append_derivatives(b0, count, perspective, span);
   if (perspective || piece_) {
     for (int i = 0; i < count; i += Batch::lanes) {
       Batch w0 = Batch::load(b0 + i), w1 = Batch::load(b1 + i), w2 = Batch::load(b2 + i);

@@ -32,6 +32,11 @@ void validate(const Object& object, const std::string& where) {
   require(object.material.model != nullptr, where, "has no reflection model");
   require_colour(object.material.ka, where, "ka");
   require_colour(object.material.object_colour, where, "object colour");
+  const Tangents& tangents = object.material.tangents;
+  require(holds_float(tangents.axis) && tangents.axis != glm::vec3(0), where,
+          "the tangents' axis must be finite, each coordinate at most 1e18, and not zero");
+  require(holds_float(tangents.centre), where,
+          "the tangents' centre must be finite, each coordinate at most 1e18");
   const glm::mat4& m = object.world_from_object;
   for (int column = 0; column < 4; ++column)
     for (int row = 0; row < 4; ++row)

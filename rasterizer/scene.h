@@ -25,12 +25,12 @@ enum class Shading { flat, gouraud, phong };
 enum class ColourForm { tinted = 1, plastic = 2 };
 
 /// Which way the surface is brushed: the field of tangents that anisotropic models follow, in
-/// object space.
+/// object space (how they come to world space, tangents.h says).
 ///   around    in circles about the axis through `centre`, as on a lathe
 ///   along     along the axis, as by a straight brush
-///   texcoord  in which the texture coordinate u grows
+///   texcoord  in which the texture coordinate u grows; on a mesh without any, as `around`
 /// Where a field has no direction (on the axis of `around`, where the surface faces along the axis
-/// of `along`, where u is constant or missing), another direction in the surface takes its place.
+/// of `along`, where u is constant), another direction in the surface takes its place.
 enum class TangentField { around, along, texcoord };
 struct Tangents {
   TangentField field = TangentField::around;
@@ -85,9 +85,9 @@ struct Scene {
 };
 
 /// Throws Error naming the object or light and the field: no mesh or model, NaN or Inf, a transform
-/// that is not affine, a negative intensity or colour, a zero direction, fall-off that is zero or
-/// negative somewhere, spot angles out of order, more than 2^31 - 1 triangles or 2^32 - 1
-/// vertices in all.
+/// that is not affine, a negative intensity or colour, a zero direction or axis of tangents,
+/// fall-off that is zero or negative somewhere, spot angles out of order, more than 2^31 - 1
+/// triangles or 2^32 - 1 vertices in all.
 void validate(const Scene& scene);
 
 /// A sphere in world space that holds every object.

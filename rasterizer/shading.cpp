@@ -1,71 +1,11 @@
 #include "rasterizer/shading.h"
 
-#include <glm/geometric.hpp>
-
 #include "rasterizer/batch.h"
 #include "rasterizer/scalar_math.h"
 
 namespace scanlit {
 
 namespace {
-
-/// One attribute over one run: a0 + b1 (a1 - a0) + b2 (a2 - a0), times `sign`. `corner` points at
-/// the attribute in each corner of the triangle. Writes whole vectors: what lands beyond the run is
-/// overwritten by the next one.
-void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
-                 float sign, float* out) {
-  const float a0 = sign * corner[0][0];
-  const Batch base(a0), d1(sign * corner[1][0] - a0), d2(sign * corner[2][0] - a0);
-  for (int i = run.first; i < run.first + run.size; i += Batch::lanes)
-    mul_add(Batch::load(span.b2 + i), d2, mul_add(Batch::load(span.b1 + i), d1, base))
-        .store(out + i);
-}
-
-struct Corners {
-  std::size_t vertex[3];
-
-  Corners(const Mesh& mesh, std::uint32_t triangle) {
-    for (std::size_t i = 0; i < 3; ++i) vertex[i] = mesh.indices[3 * std::size_t(triangle) + i];
-  }
-};
-
-/// The face's plane, as a point and a normal.
-std::pair<glm::vec3, glm::vec3> face(const Mesh& mesh, std::uint32_t triangle) {
-  const Corners corners(mesh, triangle);
-  const glm::dvec3 a(mesh.positions[corners.vertex[0]]), b(mesh.positions[corners.vertex[1]]),
-      c(mesh.positions[corners.vertex[2]]);
-  // In double: the product of two edges of a very small face leaves float.
-  const glm::dvec3 normal = glm::cross(b - a, c - a);
-  const double length = glm::length(normal);
-  return {(a + b + c) / 3.0, length > 0 ? normal / length : glm::dvec3(0)};
-}
-
-void put(SurfaceSpan& surface, int i, const glm::vec3& position, const glm::vec3& normal,
-         const glm::vec2& texcoord) {
-  for (int c = 0; c < 3; ++c)
-    surface.position[c][i] = position[c], surface.normal[c][i] = normal[c];
-  for (int c = 0; c < 2; ++c) surface.texcoord[c][i] = texcoord[c];
-}
-
-/// Site `site` of a flat or Gouraud object, as the surface point it stands for.
-void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
-              SurfaceSpan& surface) {
-  const Mesh& mesh = *draw.mesh;
-  if (draw.object->shading == Shading::flat) {
-    const auto [centroid, normal] = face(mesh, std::uint32_t(site));
-    glm::vec2 texcoord(0);
-    if (!mesh.texcoords.empty())
-      for (const std::size_t v : Corners(mesh, std::uint32_t(site)).vertex)
-        texcoord += mesh.texcoords[v] / 3.0f;
-    put(surface, i, centroid, sites.needed[site] == LitSites::from_behind ? -normal : normal,
-        texcoord);
-  } else {
-    const std::size_t count = mesh.positions.size();
-    const std::size_t v = site % count;
-    put(surface, i, mesh.positions[v], site < count ? mesh.normals[v] : -mesh.normals[v],
-        mesh.texcoords.empty() ? glm::vec2(0) : mesh.texcoords[v]);
-  }
-}
 
 /// A lit site's colour, with its parts where sites have room for them. Clamped, if asked for, so
 /// that the parts still add up to the colour.
@@ -136,7 +76,7 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, Framebuffer
 }
 
 void SpanShader::phong(const Frame& frame, const FragmentSpan& span) {
-  interpolate_surface(span);
+  interpolate_surface(span, surface_);
   light(frame, *span.draw, surface_, lit_, stats);
   const Rgb<float> ambient = ambient_radiance(frame.scene, span.draw->object->material);
   const Batch ambients[3] = {ambient.r, ambient.g, ambient.b};
@@ -183,27 +123,6 @@ void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) 
 
 // -------------------------------------------------------------------------------------------------
 
-void SpanShader::interpolate_surface(const FragmentSpan& span) {
-  const Mesh& mesh = *span.draw->mesh;
-  const bool texcoords =
-      !mesh.texcoords.empty() && span.draw->object->material.model->needs().surface_point;
-  for (int r = 0; r < span.run_count; ++r) {
-    const Run& run = span.runs[r];
-    const Corners corners(mesh, run.triangle);
-    const auto& v = corners.vertex;
-    const auto attribute = [&](const auto& values, int c, float sign, float* out) {
-      interpolate(span, run, {&values[v[0]][c], &values[v[1]][c], &values[v[2]][c]}, sign, out);
-    };
-    const float side = run.back_facing ? -1.0f : 1.0f;
-    for (int c = 0; c < 3; ++c) {
-      attribute(mesh.positions, c, 1, surface_.position[c]);
-      attribute(mesh.normals, c, side, surface_.normal[c]);
-    }
-    for (int c = 0; c < 2 && texcoords; ++c) attribute(mesh.texcoords, c, 1, surface_.texcoord[c]);
-  }
-  surface_.size = span.size;
-}
-
 void SpanShader::write(const FragmentSpan& span, const Rgb<float>& ambient,
                        Framebuffer& framebuffer) const {
   for (int i = 0; i < span.size; ++i) {
@@ -228,11 +147,11 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
                                Framebuffer& framebuffer) {
   const Shading shading = span.draw->object->shading;
   if (shading != Shading::phong) {  // which has them already
-    interpolate_surface(span);
+    interpolate_surface(span, surface_);
     for (int r = 0; r < span.run_count && shading == Shading::flat; ++r) {
       const Run& run = span.runs[r];
       const glm::vec3 normal =
-          face(*span.draw->mesh, run.triangle).second * (run.back_facing ? -1.0f : 1.0f);
+          face(*span.draw->mesh, run.triangle).normal * (run.back_facing ? -1.0f : 1.0f);
       for (int c = 0; c < 3; ++c) std::fill_n(surface_.normal[c] + run.first, run.size, normal[c]);
     }
     place_normals(frame, *span.draw, surface_);

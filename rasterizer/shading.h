@@ -24,7 +24,6 @@ class SpanShader {
   void flat(const Frame& frame, const FragmentSpan& span, bool parts);
   void gouraud(const Frame& frame, const FragmentSpan& span, bool parts);
   void phong(const Frame& frame, const FragmentSpan& span);
-  void interpolate_surface(const FragmentSpan& span);
   void write(const FragmentSpan& span, const Rgb<float>& ambient, Framebuffer& framebuffer) const;
   void write_normals(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer);
 

@@ -6,6 +6,7 @@
 
 #include "rasterizer/error.h"
 #include "rasterizer/mesh/mesh_normals.h"
+#include "rasterizer/mesh/mesh_tangents.h"
 #include "rasterizer/mesh/triangulate.h"
 
 namespace scanlit::detail {
@@ -222,6 +223,7 @@ Mesh flatten(const PolyMesh& mesh, std::span<const std::uint32_t> originals, std
     result.indices.push_back(
         pool.vertex(v, points[v], normal, has_texcoords ? own_texcoord(mesh, h) : glm::vec2(0)));
   }
+  if (has_texcoords) result.tangents = texcoord_tangents(result);
   if (replaced > 0)
     result.warnings.push_back(counted(replaced, "triangle corner") +
                               " without a normal (none, zero or not finite) where others have one: "

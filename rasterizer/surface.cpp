@@ -1,0 +1,133 @@
+#include "rasterizer/surface.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+
+#include "rasterizer/batch.h"
+#include "rasterizer/tangents.h"
+
+namespace scanlit {
+
+namespace {
+
+struct Corners {
+  std::size_t vertex[3];
+
+  Corners(const Mesh& mesh, std::uint32_t triangle) {
+    for (std::size_t i = 0; i < 3; ++i) vertex[i] = mesh.indices[3 * std::size_t(triangle) + i];
+  }
+};
+
+template <class V, std::size_t components>
+void put(const V& value, int i, float (&out)[components][SurfaceSpan::padded]) {
+  for (int c = 0; c < int(components); ++c) out[c][i] = value[c];
+}
+
+/// The mean over some vertices (a face's, or one alone); `missing` where the mesh has no such
+/// attribute.
+template <class V>
+V mean(const std::vector<V>& attribute, std::span<const std::size_t> vertices, const V& missing) {
+  if (attribute.empty()) return missing;
+  V sum(0);
+  for (const std::size_t v : vertices) sum += attribute[v];
+  return sum / float(vertices.size());
+}
+
+void put_point(const Mesh& mesh, std::span<const std::size_t> vertices, const glm::vec3& position,
+               const glm::vec3& normal, int i, SurfaceSpan& surface) {
+  put(position, i, surface.position);
+  put(normal, i, surface.normal);
+  put(mean(mesh.texcoords, vertices, glm::vec2(0)), i, surface.texcoord);
+  put(mean(mesh.colours, vertices, glm::vec3(1)), i, surface.colour);
+  put(mean(mesh.tangents, vertices, glm::vec3(0)), i, surface.tangent);
+}
+
+template <std::size_t components>
+void fill(float (&out)[components][SurfaceSpan::padded], float value) {
+  for (auto& component : out) std::ranges::fill(component, value);
+}
+
+/// By how much the texture coordinates grow with one pixel.
+void interpolate_growth(const FragmentSpan& span, const Run& run, const std::size_t (&vertex)[3],
+                        SurfaceSpan& surface) {
+  const auto& texcoords = span.draw->mesh->texcoords;
+  const glm::vec2 edge_1 = texcoords[vertex[1]] - texcoords[vertex[0]];
+  const glm::vec2 edge_2 = texcoords[vertex[2]] - texcoords[vertex[0]];
+  for (int k = 0; k < 2; ++k) {
+    const auto grow = [&](const FragmentSpan::Derivatives& db, float* out) {
+      const Batch d1(edge_1[k]), d2(edge_2[k]);
+      for (int i = run.first; i < run.first + run.size; i += Batch::lanes)
+        mul_add(Batch::load(db.b2 + i), d2, Batch::load(db.b1 + i) * d1).store(out + i);
+    };
+    grow(span.dx, surface.texcoord_dx[k]);
+    grow(span.dy, surface.texcoord_dy[k]);
+  }
+}
+
+}  // namespace
+
+Face face(const Mesh& mesh, std::uint32_t triangle) {
+  const Corners corners(mesh, triangle);
+  const glm::dvec3 a(mesh.positions[corners.vertex[0]]), b(mesh.positions[corners.vertex[1]]),
+      c(mesh.positions[corners.vertex[2]]);
+  // In double: the product of two edges of a very small face leaves float.
+  const glm::dvec3 normal = glm::cross(b - a, c - a);
+  const double length = glm::length(normal);
+  return {(a + b + c) / 3.0, length > 0 ? normal / length : glm::dvec3(0)};
+}
+
+void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
+              SurfaceSpan& surface) {
+  const Mesh& mesh = *draw.mesh;
+  if (draw.object->shading == Shading::flat) {
+    const auto triangle = std::uint32_t(site);
+    const auto [centroid, normal] = face(mesh, triangle);
+    put_point(mesh, Corners(mesh, triangle).vertex, centroid,
+              sites.needed[site] == LitSites::from_behind ? -normal : normal, i, surface);
+  } else {
+    const std::size_t count = mesh.positions.size(), v = site % count;
+    put_point(mesh, {&v, 1}, mesh.positions[v], site < count ? mesh.normals[v] : -mesh.normals[v],
+              i, surface);
+  }
+}
+
+void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
+                 float sign, float* out) {
+  const float a0 = sign * corner[0][0];
+  const Batch base(a0), d1(sign * corner[1][0] - a0), d2(sign * corner[2][0] - a0);
+  for (int i = run.first; i < run.first + run.size; i += Batch::lanes)
+    mul_add(Batch::load(span.b2 + i), d2, mul_add(Batch::load(span.b1 + i), d1, base))
+        .store(out + i);
+}
+
+void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
+  const Mesh& mesh = *span.draw->mesh;
+  const Needs needs = span.draw->object->material.model->needs();
+  const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
+  for (int r = 0; r < span.run_count; ++r) {
+    const Run& run = span.runs[r];
+    const Corners corners(mesh, run.triangle);
+    const auto& v = corners.vertex;
+    const auto attribute = [&](const auto& values, float sign, auto& out) {
+      for (int c = 0; c < int(std::size(out)); ++c)
+        interpolate(span, run, {&values[v[0]][c], &values[v[1]][c], &values[v[2]][c]}, sign,
+                    out[c]);
+    };
+    attribute(mesh.positions, 1, surface.position);
+    attribute(mesh.normals, run.back_facing ? -1.0f : 1.0f, surface.normal);
+    if (tangents) attribute(mesh.tangents, 1, surface.tangent);
+    if (!points) continue;
+    if (!mesh.texcoords.empty()) attribute(mesh.texcoords, 1, surface.texcoord);
+    if (!mesh.colours.empty()) attribute(mesh.colours, 1, surface.colour);
+    if (span.with_derivatives && !mesh.texcoords.empty()) interpolate_growth(span, run, v, surface);
+  }
+  surface.size = span.size;
+  surface.with_derivatives = span.with_derivatives;
+  // The spans of other objects have left theirs there.
+  if (points && mesh.texcoords.empty())
+    for (auto* array : {&surface.texcoord, &surface.texcoord_dx, &surface.texcoord_dy})
+      fill(*array, 0);
+  if (points && mesh.colours.empty()) fill(surface.colour, 1);
+}
+
+}  // namespace scanlit

@@ -1,0 +1,55 @@
+// (9) The surface that is lit: a mesh's attributes at a face, at a vertex, or interpolated to every
+// fragment of a span. Nothing is prepared that the model does not need.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "rasterizer/pipeline.h"
+
+namespace scanlit {
+
+/// Points of one object's surface. Arrays may be read and written up to `size` rounded up to a
+/// whole vector; what they hold beyond `size` is any float. What the model does not need (see
+/// needs_points and Needs) is left as it is.
+struct SurfaceSpan {
+  static constexpr int capacity = FragmentSpan::capacity;
+  static constexpr int padded = FragmentSpan::padded;
+
+  int size = 0;
+  float position[3][padded] = {};  // object space
+  float normal[3][padded] = {};    // in: object space, any length, on the viewer's side;
+                                   // out: world space, unit
+  float texcoord[2][padded] = {};  // 0 where the mesh has none
+  float texcoord_dx[2][padded] = {}, texcoord_dy[2][padded] = {};  // if with_derivatives
+  bool with_derivatives = false;  // the points are pixels whose FragmentSpan has them
+  float colour[3][padded] = {};   // the vertex colour, linear; 1 where the mesh has none
+  float tangent[3][padded] = {};  // in: the mesh's, if follows_texcoord(), any length;
+                                  // out: world space, unit, perpendicular to normal
+  // What evaluate_parameters() fills; kept from span to span.
+  std::vector<std::array<float, padded>> parameters{};
+};
+
+/// Whether a model sees a PointSpan.
+inline bool needs_points(const Needs& needs) { return needs.surface_point || needs.parameters > 0; }
+
+/// A triangle of the mesh as a plane: its centroid and its unit normal (0 if it has no area).
+struct Face {
+  glm::vec3 centroid, normal;
+};
+Face face(const Mesh& mesh, std::uint32_t triangle);
+
+/// Site `site` of a flat or Gouraud object becomes point i: the face's centroid, or the vertex.
+void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
+              SurfaceSpan& surface);
+
+/// One attribute over one run: a0 + b1 (a1 - a0) + b2 (a2 - a0), times `sign`. `corner` points at
+/// the attribute in each corner of the triangle. Writes whole vectors: what lands beyond the run is
+/// overwritten by the next one.
+void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
+                 float sign, float* out);
+
+/// Every fragment of the span becomes a point.
+void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface);
+
+}  // namespace scanlit
