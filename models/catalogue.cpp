@@ -9,6 +9,8 @@ namespace scanlit::models {
 
 void link_catalogue() {
   link_microfacet_catalogue();
+  link_measured_catalogue();
+  link_wood_catalogue();
   link_input_catalogue();
 }
 

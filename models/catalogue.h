@@ -7,6 +7,8 @@ namespace scanlit::models {
 // Called so that the linker keeps the files.
 void link_catalogue();
 void link_microfacet_catalogue();
+void link_measured_catalogue();
+void link_wood_catalogue();
 void link_input_catalogue();
 
 }  // namespace scanlit::models
