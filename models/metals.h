@@ -37,10 +37,10 @@ struct Metal {
 /// The fit. Maximum error against spectral_rgb() clamped to [0, 1]: 2e-4 per channel, over all
 /// metals and angles; in float 1e-5 more.
 ///
-/// F = 1 - x p(x), with a polynomial p of degree 7 and x = 1.3 c / (c + 0.3), c = V.H. Exactly 1 at
-/// grazing. In x rather than c because F drops from 1 within c of about 1 / |n + i k|, .13 for
-/// aluminium, where a polynomial in c would need twice the degree; 0.3 is chosen by trial, for the
-/// least error over the metals here.
+/// F = 1 - x p(x), with a polynomial p of degree 7 and x = 1.3 c / (c + 0.3), c = V.H; exactly 1 at
+/// grazing. In x rather than in c because a metal's F falls from 1 within c of about 1 / |n + i k|,
+/// .15 for aluminium, which a polynomial in c follows badly (of equal degree: to 6e-3). 0.3 is
+/// chosen by trial.
 ///
 /// Clamped to [0, 1] on purpose: gold is more saturated than sRGB can show (its red is 1.035 at
 /// normal incidence), and a reflectance above 1 would create light.
