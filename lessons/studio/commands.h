@@ -13,6 +13,8 @@ struct Command {
 };
 
 Command add_render_command(CLI::App& program);
+Command add_reflect_command(CLI::App& program);
+Command add_sheet_command(CLI::App& program);
 Command add_models_command(CLI::App& program);
 Command add_shapes_command(CLI::App& program);
 

@@ -1,0 +1,145 @@
+#include "lessons/studio/reflect/curves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lessons/studio/reflect/query.h"
+#include "lessons/studio/text.h"
+
+namespace scanlit::studio {
+namespace {
+
+// Okabe and Ito's palette, which the colour-blind can tell apart, without its yellow, which is too
+// pale for lines on white; and dashes, for print in grey.
+const char* const colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
+                               "#E69F00", "#56B4E9", "#000000"};
+const char* const dashes[] = {"", "8 4", "2 3", "10 3 2 3", "14 4", "5 2"};
+constexpr double curve_width = 2.2;
+
+Stroke stroke(std::size_t colour, std::size_t dash) {
+  return {colours[colour % std::size(colours)], curve_width, dashes[dash % std::size(dashes)]};
+}
+
+struct Channel {
+  const char *name, *colour, *dash;
+  double Rgb<double>::*value;
+};
+const Channel channels[] = {{"red", "#D55E00", "", &Rgb<double>::r},
+                            {"green", "#009E73", "8 4", &Rgb<double>::g},
+                            {"blue", "#0072B2", "2 3", &Rgb<double>::b}};
+
+/// Halves the interval between the last sample and `b` until a straight line looks the same.
+void refine(const std::function<Rgb<double>(double)>& f, const std::function<double(double)>& drawn,
+            std::vector<Sample>& samples, const Sample& b, int depth) {
+  constexpr double tolerance = 5e-4;  // of the axis' length: a third of a pixel
+  const Sample a = samples.back();
+  const double middle_deg = (a.angle_deg + b.angle_deg) / 2;
+  const Sample middle{middle_deg, f(middle_deg)};
+  const auto off = [&](double Rgb<double>::*c) {
+    return std::abs(drawn(middle.value.*c) - (drawn(a.value.*c) + drawn(b.value.*c)) / 2);
+  };
+  const double worst = std::max({off(&Rgb<double>::r), off(&Rgb<double>::g), off(&Rgb<double>::b)});
+  if (depth > 0 && worst > tolerance) {
+    refine(f, drawn, samples, middle, depth - 1);
+    refine(f, drawn, samples, b, depth - 1);
+  } else {
+    samples.push_back(b);
+  }
+}
+
+Curve curve_of(const std::vector<Sample>& samples, const Stroke& stroke,
+               const std::function<double(const Rgb<double>&)>& value) {
+  Curve curve{stroke, {}};
+  for (const Sample& s : samples) curve.points.push_back({s.angle_deg, value(s.value)});
+  return curve;
+}
+
+}  // namespace
+
+std::vector<Sample> sample(const std::function<Rgb<double>(double)>& f, double low_deg,
+                           double high_deg, const std::vector<double>& centres_deg,
+                           const std::function<double(double)>& drawn) {
+  std::vector<double> angles;
+  for (double angle = low_deg; angle < high_deg; angle += 0.5) angles.push_back(angle);
+  angles.push_back(high_deg);
+  for (const double centre : centres_deg)
+    for (double distance = 16; distance > 1e-3; distance /= 2)
+      for (const double angle : {centre - distance, centre, centre + distance})
+        if (angle > low_deg && angle < high_deg) angles.push_back(angle);
+  std::ranges::sort(angles);
+  std::vector<Sample> samples{{angles[0], f(angles[0])}};
+  for (const double angle : angles)
+    if (angle > samples.back().angle_deg) refine(f, drawn, samples, {angle, f(angle)}, 8);
+  return samples;
+}
+
+CurveSet make_curves(const std::vector<models::NamedModel>& models,
+                     const std::vector<double>& light_angles_deg,
+                     const std::vector<std::vector<std::vector<Sample>>>& samples) {
+  CurveSet set;
+  const std::size_t angles = light_angles_deg.size();
+  for (const auto& of_model : samples)
+    for (const auto& of_angle : of_model)
+      for (const auto& [angle, value] : of_angle) {
+        set.of_colour |= value != Rgb<double>(value.r);
+        set.max = std::max({set.max, value.r, value.g, value.b});
+      }
+  if (set.of_colour && models.size() == 1 && angles <= 1) {
+    set.channels_apart = true;
+    for (const Channel& c : channels) {
+      const Stroke look{c.colour, curve_width, c.dash};
+      set.curves.push_back(
+          curve_of(samples[0][0], look, [&](auto& value) { return value.*c.value; }));
+      set.legend.push_back({c.name, look});
+    }
+    return set;
+  }
+  const auto grey = [&](const Rgb<double>& value) {
+    return set.of_colour ? luminance(value) : value.r;
+  };
+  const bool by_model = models.size() > 1;
+  const auto angle_label = [&](std::size_t a) {
+    return "θ_l = " + text_of(light_angles_deg[a]) + "°";
+  };
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    if (by_model) set.legend.push_back({models[m].specification, stroke(m, angles > 1 ? 0 : m)});
+    for (std::size_t a = 0; a < samples[m].size(); ++a) {
+      const Stroke look = !by_model ? stroke(a, a) : angles > 1 ? stroke(m, a) : stroke(m, m);
+      set.curves.push_back(curve_of(samples[m][a], look, grey));
+      if (!by_model && angles > 0) set.legend.push_back({angle_label(a), look, true});
+    }
+  }
+  for (std::size_t a = 0; by_model && angles > 1 && a < angles; ++a)
+    set.legend.push_back({angle_label(a), {"#555555", curve_width, stroke(0, a).dash}, true});
+  return set;
+}
+
+std::string elided(const std::string& text, std::size_t characters) {
+  if (text.size() <= characters) return text;
+  const std::size_t kept = characters / 2 - 1;
+  return text.substr(0, kept) + " … " + text.substr(text.size() - kept);
+}
+
+int legend_columns(const std::vector<LegendEntry>& legend) {
+  const bool all_short = std::ranges::all_of(legend, [](auto& e) { return e.label.size() <= 42; });
+  return all_short && legend.size() > 1 ? (legend.back().label.size() <= 14 ? 4 : 2) : 1;
+}
+
+double legend_height(const std::vector<LegendEntry>& legend) {
+  const std::size_t columns = std::size_t(legend_columns(legend));
+  return legend_row * double((legend.size() + columns - 1) / columns);
+}
+
+double draw_legend(Svg& svg, PlotPoint at, const std::vector<LegendEntry>& legend, int columns,
+                   double column_width) {
+  for (std::size_t i = 0; i < legend.size(); ++i) {
+    const double x = at.x + column_width * double(int(i) % columns);
+    const double y = at.y + legend_row * double(int(i) / columns);
+    svg.line({x, y - 5}, {x + 42, y - 5}, legend[i].stroke);
+    svg.text({x + 52, y}, elided(legend[i].label, columns > 1 ? 42 : 88),
+             {.size = 14, .formula = legend[i].formula});
+  }
+  return legend_height(legend);
+}
+
+}  // namespace scanlit::studio

@@ -1,0 +1,62 @@
+// Curves of models over an angle, ready to be drawn: sampled as finely as it shows, coloured,
+// named.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lessons/studio/reflect/svg.h"
+#include "models/registry.h"
+
+namespace scanlit::studio {
+
+struct Sample {
+  double angle_deg;
+  Rgb<double> value;
+};
+
+/// `f` from low_deg to high_deg, ever finer towards each of `centres_deg`, and wherever a straight
+/// line between samples would be seen to differ: `drawn` says at which part of the axis' length a
+/// value is drawn.
+std::vector<Sample> sample(const std::function<Rgb<double>(double)>& f, double low_deg,
+                           double high_deg, const std::vector<double>& centres_deg,
+                           const std::function<double(double)>& drawn);
+
+struct Curve {
+  Stroke stroke;
+  std::vector<PlotPoint> points;  // angle in degrees, value
+};
+
+struct LegendEntry {
+  std::string label;
+  Stroke stroke;
+  bool formula = false;
+};
+
+/// Curves with what tells them apart. `of_colour`: the models' channels differ, and a curve is the
+/// luminance or, where there is one model and one angle, each channel has its own.
+struct CurveSet {
+  std::vector<Curve> curves;
+  std::vector<LegendEntry> legend;
+  bool of_colour = false, channels_apart = false;
+  double max = 0;  // of all values
+};
+
+/// Of samples[m][a], model m at angle a (light angles; one nameless one where there are none).
+CurveSet make_curves(const std::vector<models::NamedModel>& models,
+                     const std::vector<double>& light_angles_deg,
+                     const std::vector<std::vector<std::vector<Sample>>>& samples);
+
+/// Text that would be longer, with its middle left out.
+std::string elided(const std::string& text, std::size_t characters);
+
+/// One row per entry from `at` on; returns the height used.
+double draw_legend(Svg& svg, PlotPoint at, const std::vector<LegendEntry>& legend, int columns,
+                   double column_width);
+constexpr double legend_row = 24;
+/// Rows a legend needs; it may have two columns where labels are short.
+int legend_columns(const std::vector<LegendEntry>& legend);
+double legend_height(const std::vector<LegendEntry>& legend);
+
+}  // namespace scanlit::studio
