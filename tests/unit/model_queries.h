@@ -63,13 +63,6 @@ inline std::vector<std::string> specifications(const models::ModelInfo& info) {
   return result;
 }
 
-/// The exponent a specification sets, else 0.
-inline double exponent(const models::NamedModel& model) {
-  for (const auto& [key, value] : model.values)
-    if (key == "n") return std::get<double>(value);
-  return 0;
-}
-
 struct Pair {
   glm::vec3 l, v;
 };
