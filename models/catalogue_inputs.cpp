@@ -1,5 +1,6 @@
 #include "models/catalogue.h"
-#include "models/checker.h"
+#include "models/inputs/checker.h"
+#include "models/inputs/image.h"
 
 namespace scanlit::models {
 

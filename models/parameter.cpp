@@ -64,7 +64,7 @@ std::string parse_file(const Context& context, std::string_view text, const Para
 }
 
 Value parse_value(const Context& context, std::string_view text, const ParameterInfo& p) {
-  if (is_input(text)) {
+  if (p.kind != ParameterKind::file && is_input(text)) {
     if (!p.varies)
       throw Error(context.where, "'" + p.key + "' cannot vary; it wants one value, not '" +
                                      std::string(text) + "'");
@@ -120,7 +120,12 @@ Values read_values(const Context& context, std::span<const ParameterInfo> parame
     values.emplace_back(p.key, p.initial), keys.push_back(p.key);
 
   std::vector<bool> given(parameters.size());
-  for (const auto& [key, value] : arguments) {
+  for (std::size_t a = 0; a < arguments.size(); ++a) {
+    const auto& [written, value] = arguments[a];
+    // image(cow.png): the file may stand first without its key.
+    const bool file_first = a == 0 && !value.empty() && !parameters.empty() &&
+                            parameters.front().kind == ParameterKind::file;
+    const std::string& key = written.empty() && file_first ? keys.front() : written;
     if (key.empty()) throw Error(where, "expected key=value, not '" + value + "'");
     const auto index = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
     if (index == keys.size())
