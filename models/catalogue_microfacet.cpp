@@ -1,4 +1,6 @@
 #include "models/catalogue.h"
+#include "models/cook_torrance.h"
+#include "models/torrance_sparrow.h"
 
 namespace scanlit::models {
 
