@@ -86,6 +86,7 @@ OpenMesh::IO::Options request_attributes(const CheckedFile& file, PolyMesh& mesh
   if (file.corner_normals) mesh.request_halfedge_normals();
   if (file.vertex_texcoords || !file.texcoords.empty()) mesh.request_vertex_texcoords2D();
   if (file.corner_texcoords) mesh.request_halfedge_texcoords2D();
+  if (!file.colours.empty()) mesh.request_vertex_colors();
   return options;
 }
 
@@ -104,6 +105,8 @@ void read_with_openmesh(CheckedFile& file, const std::string& suffix, const std:
     mesh.set_normal(OpenMesh::VertexHandle(int(i)), to_openmesh(file.normals[i]));
   for (std::size_t i = 0; i < file.texcoords.size(); ++i)
     mesh.set_texcoord2D(OpenMesh::VertexHandle(int(i)), to_openmesh(file.texcoords[i]));
+  for (std::size_t i = 0; i < file.colours.size(); ++i)
+    mesh.set_color(OpenMesh::VertexHandle(int(i)), to_openmesh(file.colours[i]));
   importer.complete_copies();
 }
 

@@ -42,11 +42,14 @@ struct MeshOptions {
 };
 
 /// Reads OBJ, PLY (ascii, binary), OFF, STL or OM through OpenMesh, by the file's suffix.
-/// Polygons are triangulated. What OpenMesh refuses (complex edges, repeated vertices in a face) is
-/// drawn all the same, by duplicated vertices, and counted in `warnings`.
-/// Throws Error naming the file (and line, where the format has lines): missing, empty, truncated
-/// or malformed file; a face that names a vertex that does not exist; NaN or Inf coordinates;
-/// header counts that the file's size cannot hold; no face at all.
+/// Polygons are triangulated. Vertex colours are read from OBJ (x y z r g b), PLY (red green blue)
+/// and OFF (COFF); whole numbers, 8 or 16 bits, are taken for sRGB codes and decoded, fractions
+/// 0..1 for linear light; what is out of range is clamped and counted in `warnings`. What OpenMesh
+/// refuses (complex edges, repeated vertices in a face) is drawn all the same, by duplicated
+/// vertices, and counted in `warnings`. Throws Error naming the file (and line, where the format
+/// has lines): missing, empty, truncated or malformed file; a face that names a vertex that does
+/// not exist; NaN or Inf coordinates; header counts that the file's size cannot hold; no face at
+/// all.
 Mesh load_mesh(const std::filesystem::path& file, const MeshOptions& options = {});
 
 /// A mesh of the given faces (each a list of vertex indices), with normals as `options` say.

@@ -27,6 +27,9 @@ struct CheckedFile {
   // OFF: by vertex, not in data. OpenMesh learns of them from the name of a file only.
   std::vector<glm::vec3> normals;
   std::vector<glm::vec2> texcoords;
+  // Of every format that has them: linear RGB, by vertex of data, not in data. OpenMesh would round
+  // them to 8 bits.
+  std::vector<glm::vec3> colours;
   Repairs repairs;  // done already
 };
 

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "rasterizer/mesh/face_repeats.h"
+#include "rasterizer/mesh/mesh_colours.h"
 #include "rasterizer/mesh/mesh_file.h"
 
 namespace scanlit::detail {
@@ -35,6 +36,7 @@ class ObjChecker {
       if (keyword == "f" || keyword == "fo") add_face();
     }
     for (const std::int64_t vertex : copied_) write_vertex(points_[std::size_t(vertex)]);
+    take_colours();
     return std::move(result_);
   }
 
@@ -45,7 +47,25 @@ class ObjChecker {
     for (int i = 0; i < 3; ++i) point[i] = lines_.finite(std::size_t(i + 1), "vertex coordinate");
     points_.push_back(point);
     write_vertex(point);
+    if (lines_.words().size() >= 7) add_colour();
     ++seen_.vertices;
+  }
+
+  /// After the coordinates. (A single fourth number is a weight, and of no use.)
+  void add_colour() {
+    glm::dvec3 colour;
+    for (int c = 0; c < 3; ++c) colour[c] = lines_.any_number(std::size_t(4 + c), "colour");
+    colours_.resize(points_.size(), white);
+    colours_.back() = colour;
+    ++coloured_;
+  }
+
+  void take_colours() {
+    if (coloured_ == 0) return;
+    result_.repairs.uncoloured = points_.size() - coloured_;
+    colours_.resize(points_.size(), white);
+    for (const std::int64_t vertex : copied_) colours_.push_back(colours_[std::size_t(vertex)]);
+    result_.colours = linear_colours(colours_, ColourCode::fraction, result_.repairs);
   }
 
   void write_vertex(const glm::vec3& point) {
@@ -157,7 +177,10 @@ class ObjChecker {
   Lines lines_;
   Counts total_, seen_;
   CheckedFile result_;
+  static constexpr glm::dvec3 white{1, 1, 1};
   std::vector<glm::vec3> points_;
+  std::vector<glm::dvec3> colours_;  // as far as a vertex has had one
+  std::size_t coloured_ = 0;
   std::vector<std::int64_t> copied_;
 };
 

@@ -1,3 +1,4 @@
+#include "rasterizer/mesh/mesh_colours.h"
 #include "rasterizer/mesh/mesh_file.h"
 
 namespace scanlit::detail {
@@ -5,7 +6,13 @@ namespace {
 
 /// What the header's keyword says of each vertex: [ST][C][N]OFF.
 struct OffLayout {
-  bool texcoords, normals;
+  bool texcoords, colours, normals;
+};
+
+/// The file's colours; fractions if any of them is written as one: 1 is a fraction beside .5.
+struct OffColours {
+  std::vector<glm::dvec3> values;
+  ColourCode code = ColourCode::eight_bit;
 };
 
 OffLayout layout(const Lines& lines, std::string_view keyword) {
@@ -17,7 +24,7 @@ OffLayout layout(const Lines& lines, std::string_view keyword) {
   };
   OffLayout result{};
   result.texcoords = take("ST");
-  take("C");
+  result.colours = take("C");
   result.normals = take("N");
   if (keyword == "4OFF" || keyword == "nOFF" || keyword == "4nOFF")
     lines.fail("'" + std::string(whole) + "': only vertices of three coordinates can be drawn");
@@ -46,8 +53,19 @@ void read_counts(Lines& lines, std::int64_t& vertices, std::int64_t& faces) {
                " characters can hold");
 }
 
-void copy_vertex(Lines& lines, const OffLayout& has, CheckedFile& result) {
-  const std::size_t size = 3 + (has.normals ? 3 : 0) + (has.texcoords ? 2 : 0);
+void take_colour(const Lines& lines, std::size_t first, OffColours& colours) {
+  glm::dvec3 colour;
+  for (std::size_t c = 0; c < 3; ++c) {
+    colour[int(c)] = lines.any_number(first + c, "colour");
+    if (lines.words()[first + c].find_first_of(".eEnN") != std::string_view::npos)
+      colours.code = ColourCode::fraction;
+  }
+  colours.values.push_back(colour);
+}
+
+void copy_vertex(Lines& lines, const OffLayout& has, CheckedFile& result, OffColours& colours) {
+  const std::size_t before_colour = has.normals ? 6 : 3;
+  const std::size_t size = before_colour + (has.colours ? 3 : 0) + (has.texcoords ? 2 : 0);
   lines.expect_words(size, "a vertex has " + std::to_string(size) + " numbers");
   for (std::size_t i = 0; i < 3; ++i)
     append_number(result.data, lines.finite(i, "vertex coordinate"));
@@ -55,6 +73,7 @@ void copy_vertex(Lines& lines, const OffLayout& has, CheckedFile& result) {
   if (has.normals)
     result.normals.emplace_back(lines.any_number(3, "normal"), lines.any_number(4, "normal"),
                                 lines.any_number(5, "normal"));
+  if (has.colours) take_colour(lines, before_colour, colours);
   const std::size_t last = lines.words().size() - 1;  // colours come before texture coordinates
   if (has.texcoords)
     result.texcoords.emplace_back(lines.finite(last - 1, "texture coordinate"),
@@ -99,10 +118,12 @@ CheckedFile check_off(const std::string& name, std::string_view text) {
       lines.fail("the file ends after " + std::to_string(i) + " of " + std::to_string(count) + " " +
                  what);
   };
+  OffColours colours;
   for (std::int64_t i = 0; i < vertices; ++i) {
     next(i, vertices, "vertices");
-    copy_vertex(lines, has, result);
+    copy_vertex(lines, has, result, colours);
   }
+  result.colours = linear_colours(colours.values, colours.code, result.repairs);
   for (std::int64_t i = 0; i < faces; ++i) {
     next(i, faces, "faces");
     copy_face(lines, vertices, result.data);

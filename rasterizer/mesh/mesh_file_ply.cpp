@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "rasterizer/error.h"
+#include "rasterizer/mesh/mesh_colours.h"
 #include "rasterizer/mesh/mesh_file.h"
 #include "rasterizer/mesh/ply_header.h"
 
@@ -90,6 +91,24 @@ void read_list(Rows& rows, const PlyProperty& list, std::vector<double>& items) 
   for (double i = 0; i < count; ++i) items.push_back(rows.next(list.value));
 }
 
+/// Where a vertex's row holds its colour, if it does.
+struct PlyColour {
+  int red, green, blue;
+  ColourCode code = ColourCode::eight_bit;
+
+  explicit PlyColour(const PlyElement& element)
+      : red(element.find({"red", "diffuse_red"})),
+        green(element.find({"green", "diffuse_green"})),
+        blue(element.find({"blue", "diffuse_blue"})) {
+    if (!present()) return;
+    const PlyType type = element.properties[std::size_t(red)].value;
+    if (is_float(type)) code = ColourCode::fraction;
+    if (type == PlyType::u16) code = ColourCode::sixteen_bit;
+  }
+
+  bool present() const { return red >= 0 && green >= 0 && blue >= 0; }
+};
+
 template <class Rows>
 void copy_vertices(Rows& rows, const PlyElement& element, CheckedFile& result) {
   // x y z, nx ny nz, u v, in the order in which they are written
@@ -105,6 +124,8 @@ void copy_vertices(Rows& rows, const PlyElement& element, CheckedFile& result) {
   result.vertex_normals = *std::min_element(positions + 3, positions + 6) >= 0;
   result.vertex_texcoords = *std::min_element(positions + 6, positions + 8) >= 0;
 
+  const PlyColour colour(element);
+  std::vector<glm::dvec3> colours;
   std::vector<double> values(element.properties.size()), ignored;
   for (std::int64_t row = 0; row < element.count; ++row) {
     rows.begin_row(element, row);
@@ -120,7 +141,11 @@ void copy_vertices(Rows& rows, const PlyElement& element, CheckedFile& result) {
       if (i < 3 && !std::isfinite(value)) rows.fail("a vertex coordinate is not a finite float");
       append_bytes(result.data, value);
     }
+    if (colour.present())
+      colours.emplace_back(values[std::size_t(colour.red)], values[std::size_t(colour.green)],
+                           values[std::size_t(colour.blue)]);
   }
+  result.colours = linear_colours(colours, colour.code, result.repairs);
 }
 
 template <class Rows>

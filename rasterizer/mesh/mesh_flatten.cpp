@@ -222,6 +222,8 @@ Mesh flatten(const PolyMesh& mesh, std::span<const std::uint32_t> originals, std
     const std::uint32_t v = corners.vertex[i];
     result.indices.push_back(
         pool.vertex(v, points[v], normal, has_texcoords ? own_texcoord(mesh, h) : glm::vec2(0)));
+    if (mesh.has_vertex_colors() && result.colours.size() < result.positions.size())
+      result.colours.push_back(to_glm(mesh.color(VertexHandle(int(v)))));
   }
   if (has_texcoords) result.tangents = texcoord_tangents(result);
   if (replaced > 0)

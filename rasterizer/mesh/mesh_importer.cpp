@@ -21,6 +21,12 @@ std::vector<std::string> Repairs::warnings() const {
                     " with a vertex named more than once: drawn with copies");
   if (dropped > 0)
     lines.push_back(counted(dropped, "face") + " of fewer than 3 distinct vertices: dropped");
+  if (clamped_colours > 0)
+    lines.push_back(counted(clamped_colours, "vertex colour") +
+                    " not a number or out of range: clamped");
+  if (uncoloured > 0)
+    lines.push_back(std::to_string(uncoloured) + (uncoloured == 1 ? " vertex" : " vertices") +
+                    " without a colour where others have one: drawn white");
   return lines;
 }
 
@@ -104,6 +110,7 @@ void MeshImporter::complete_copies() {
     if (copy == original) continue;
     if (mesh_.has_vertex_normals()) mesh_.set_normal(copy, mesh_.normal(original));
     if (mesh_.has_vertex_texcoords2D()) mesh_.set_texcoord2D(copy, mesh_.texcoord2D(original));
+    if (mesh_.has_vertex_colors()) mesh_.set_color(copy, mesh_.color(original));
   }
 }
 

@@ -12,9 +12,14 @@
 
 namespace scanlit::detail {
 
+/// OpenMesh's own colours are of 8 bits.
+struct LinearColours : OpenMesh::DefaultTraits {
+  using Color = OpenMesh::Vec3f;
+};
 /// Points are float, as in Mesh. Normals and texture coordinates are requested by those who have
-/// them, per vertex or per halfedge (the corner at the vertex the halfedge points to).
-using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<>;
+/// them, per vertex or per halfedge (the corner at the vertex the halfedge points to); colours, per
+/// vertex, likewise.
+using PolyMesh = OpenMesh::PolyMesh_ArrayKernelT<LinearColours>;
 
 inline glm::vec3 to_glm(const OpenMesh::Vec3f& v) { return {v[0], v[1], v[2]}; }
 inline glm::vec2 to_glm(const OpenMesh::Vec2f& v) { return {v[0], v[1]}; }
@@ -26,11 +31,15 @@ inline std::string counted(std::size_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-/// Faces that could not be taken as they are, by what was done about it.
+/// What could not be taken as it is, by what was done about it.
 struct Repairs {
+  // Faces:
   std::size_t complex = 0;   // no manifold takes them: drawn with vertices of their own
   std::size_t repeated = 0;  // a vertex named more than once: drawn with copies of it
   std::size_t dropped = 0;   // fewer than 3 distinct vertices
+  // Vertices:
+  std::size_t clamped_colours = 0;  // not a number, or out of range
+  std::size_t uncoloured = 0;       // where others have a colour: taken for white
 
   std::vector<std::string> warnings() const;
 };
@@ -54,8 +63,8 @@ class MeshImporter : public OpenMesh::IO::ImporterT<PolyMesh> {
                           const std::vector<OpenMesh::Vec2f>& texcoords) override;
   void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<OpenMesh::Vec3f>&) override;
 
-  /// Gives copied vertices the normals and texture coordinates of their originals, once those have
-  /// theirs: some files say them after the faces.
+  /// Gives copied vertices the normals, texture coordinates and colours of their originals, once
+  /// those have theirs: some files say them after the faces.
   void complete_copies();
 
   const Repairs& repairs() const { return repairs_; }
