@@ -111,8 +111,9 @@ Rgb<T> Merl::trilinear(T theta_h_bins, T theta_d_bins, T phi_d_bins) const {
         sum = sum + entry * weight;
         weights = weights + weight;
       }
-  // Less would be a rounding error divided by itself, or by 0.
-  return weights > T(1e-6) ? sum * (T(1) / weights) : Rgb<T>();
+  // Less is what rounding of coordinates leaves to bins that have no share: one of them would stand
+  // for all.
+  return weights > T(1e-4) ? sum * (T(1) / weights) : Rgb<T>();
 }
 
 template <class T>

@@ -178,6 +178,11 @@ TEST_F(MerlTest, WhatWasNotMeasuredIsBlackOrLeftOut) {
                                     MerlTable::centre(30, 20, 60).phi_d + 1e-3});
   EXPECT_LT(distance(whole(Merl(table), l2, v2), before), 0.02) << "its neighbours stand for it";
   for (auto& entry : table.entries) entry = Rgb<double>(-1.0);
+  table.entries[MerlTable::index(31, 20, 60)] = Rgb<double>(1500.0);
+  const Vec3<float> lf{float(l.x), float(l.y), float(l.z)}, vf{float(v.x), float(v.y), float(v.z)};
+  EXPECT_EQ(whole(Merl(table), l, v), Rgb<double>(0.0)) << "a neighbour without a share";
+  EXPECT_EQ(Merl(table).evaluate(lf, vf).glossy, Rgb<float>(0.0f));
+  table.entries[MerlTable::index(31, 20, 60)] = Rgb<double>(-1.0);
   EXPECT_EQ(whole(Merl(table), l, v), Rgb<double>(0.0)) << "nobody stands for it";
 }
 

@@ -58,12 +58,14 @@ TEST_F(TabulateTest, LambertAsAMerlTableIsLambert) {
   EXPECT_EQ(fs::file_size(file), 34992012u);
   const MerlTable table = read_merl(file);
   fs::remove(file);
-  std::size_t measured = 0;
-  for (const auto& entry : table.entries) {
-    measured += entry.r >= 0;
-    ASSERT_TRUE(entry == Rgb<double>(-1.0) ||
-                std::abs(entry.r - 0.8 / std::numbers::pi * 1500) < 1e-9);
-  }
+  for (int h = 0; h < 90; ++h)
+    for (int d = 0; d < 90; ++d)
+      for (int p = 0; p < 180; ++p) {
+        const auto [l, v] = directions(MerlTable::centre(h, d, p));
+        const bool measured = std::min(l.z, v.z) >= min_n_v;
+        const double entry = table.entries[MerlTable::index(h, d, p)].r;
+        ASSERT_NEAR(entry, measured ? 0.8 / std::numbers::pi * 1500 : -1, 1e-9);
+      }
   const Merl merl(table);
   std::mt19937 random(1);
   for (int i = 0; i < 5000; ++i) {
