@@ -34,14 +34,14 @@ enum class ParameterKind { number, colour, direction, choice, file, model };
 
 /// One parameter, as `scanlit models` lists it.
 struct ParameterInfo {
-  std::string key;  // "ks"
+  std::string key{};  // "ks"
   ParameterKind kind = ParameterKind::number;
-  Value initial = 0.0;               // default; an empty text or model: it must be given
-  double min = 0, max = 0;           // number, colour: allowed, inclusive, per channel
-  std::vector<std::string> choices;  // choice: the words
-  std::string meaning;               // "glossy reflectance"
-  std::string only_with;             // "D=blinn|ggx": it has a meaning only where D is one of them
-  bool varies = false;               // may be an input
+  Value initial = 0.0;                 // default; an empty text or model: it must be given
+  double min = 0, max = 0;             // number, colour: allowed, inclusive, per channel
+  std::vector<std::string> choices{};  // choice: the words
+  std::string meaning{};               // "glossy reflectance"
+  std::string only_with{};  // "D=blinn|ggx": it has a meaning only where D is one of them
+  bool varies = false;      // may be an input
 };
 
 /// Where a specification stands: for messages, and for files it names.

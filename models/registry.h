@@ -20,14 +20,14 @@ enum class Kind { model, part, input };
 struct ModelInfo {
   Kind kind = Kind::model;
   int year = 0;                 // of its publication: the order of the list
-  std::string name;             // "blinn-phong"
-  std::string title;            // "Blinn-Phong (N.H)"
-  std::string source;           // "Blinn 1977, Models of light reflection ..., eq. ..."
+  std::string name{};           // "blinn-phong"
+  std::string title{};          // "Blinn-Phong (N.H)"
+  std::string source{};         // "Blinn 1977, Models of light reflection ..., eq. ..."
   bool reciprocal = false;      // f_r(l,v) = f_r(v,l) for every allowed parameter
   bool energy_bounded = false;  // directional albedo at most 1 for every allowed parameter
-  std::string exceptions;       // to these claims, in words: "form=lecture is neither"
-  std::string example;          // a specification, where the name alone is none
-  std::vector<ParameterInfo> parameters;
+  std::string exceptions{};     // to these claims, in words: "form=lecture is neither"
+  std::string example{};        // a specification, where the name alone is none
+  std::vector<ParameterInfo> parameters{};
 };
 
 /// All registered models and parts, by year; all inputs.
