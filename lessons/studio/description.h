@@ -38,6 +38,7 @@ struct MaterialDescription {
   std::optional<Rgb<double>> ka;
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1.0};
+  Tangents tangents;
 };
 
 struct ObjectDescription {

@@ -48,6 +48,15 @@ void print_warnings(const Scene& scene) {
         warn(object.mesh->name + ": " + warning);
 }
 
+void print_missing_texcoords(const Scene& scene) {
+  std::set<const Mesh*> seen;
+  for (const Object& object : scene.objects)
+    if (object.material.tangents.field == TangentField::texcoord && object.mesh->tangents.empty() &&
+        seen.insert(object.mesh.get()).second)
+      warn(object.mesh->name +
+           ": has no texture coordinates for tangents to follow; they go around y");
+}
+
 /// The highest exposure, in tenths, at which the brightest channel is not clipped.
 double fitting_exposure(const Framebuffer& framebuffer) {
   float brightest = 0;
@@ -84,6 +93,7 @@ void render_picture(const RenderOptions& options) {
 
   Scene scene = make_scene(description);
   print_warnings(scene);
+  print_missing_texcoords(scene);
   const double aspect = double(picture.width) / picture.height;
   const Camera camera = make_camera(description.view, scene, aspect);
   scene.lights = make_lights(description, camera);

@@ -22,7 +22,15 @@ void set_model(Description& d, Text where, Text text) {
   } catch (const Error& error) {
     throw Error(where, error.what());
   }
-  for (ObjectDescription& object : d.objects) object.material = material;
+  for (ObjectDescription& object : d.objects) {
+    material.tangents = object.material.tangents;  // how the surface is brushed stays
+    object.material = material;
+  }
+}
+
+void set_tangents(Description& d, Text where, Text text) {
+  const Tangents tangents = choose(where, "tangents", text, brushes);
+  for (ObjectDescription& object : d.objects) object.material.tangents = tangents;
 }
 
 void set_ka(Description& d, Text where, Text text) {
@@ -105,6 +113,8 @@ const Edit all_edits[] = {
     {surface, "--ka", "COLOUR", "ambient reflectance (.15 of the model's kd)", set_ka},
     {surface, "--object-colour", "COLOUR", "the lecture's second form, this its object colour",
      set_object_colour},
+    {surface, "--tangents", "FIELD", "the brush: around or along x, y or z, or texcoord (around y)",
+     set_tangents},
     {surface, "--sides", "SIDES", "faces drawn: automatic, front or both (automatic)", set_sides},
     {surface, "--crease", "DEG", "split normals at edges sharper than this", set_crease},
     {surface, "--normals", "WEIGHT", "faces count by angle or area (angle), if the file has none",

@@ -36,6 +36,32 @@ models::NamedModel read_model(TomlTable& material) {
   return make_model(material, "model", *material.text("model"));
 }
 
+/// { field = "around", axis = [0, 1, 0], centre = [0, 0, 0] }
+Tangents tangents_from_table(TomlTable table) {
+  Tangents tangents;
+  const auto field = table.choice("field", tangent_fields);
+  if (!field) throw Error(table.where(), "tangents have a field: around, along or texcoord");
+  tangents.field = *field;
+  if (const auto axis = table.vector("axis")) {
+    tangents.axis = *axis;
+    if (*field == TangentField::texcoord) table.refuse("axis", "texcoord has no axis");
+    if (tangents.axis == glm::vec3(0)) table.refuse("axis", "axis is the zero vector");
+  }
+  if (const auto centre = table.vector("centre")) {
+    tangents.centre = *centre;
+    if (*field != TangentField::around) table.refuse("centre", "only around has a centre");
+  }
+  table.refuse_unknown_keys();
+  return tangents;
+}
+
+std::optional<Tangents> read_tangents(TomlTable& material) {
+  const toml::node* value = material.node("tangents");
+  if (value && value->is_table())
+    return tangents_from_table(*material.table("tangents", "tangents"));
+  return material.choice("tangents", brushes);
+}
+
 }  // namespace
 
 MaterialDescription read_material(TomlTable table) {
@@ -48,6 +74,7 @@ MaterialDescription read_material(TomlTable table) {
     table.refuse("object_colour", "only form 2 has an object colour; in form 1 kd is it");
   if (form == 2 || object_colour) material.form = ColourForm::plastic;
   set(material.object_colour, object_colour);
+  set(material.tangents, read_tangents(table));
   table.refuse_unknown_keys();
   return material;
 }

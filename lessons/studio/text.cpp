@@ -19,6 +19,16 @@ const Choices<Projection> projections{{"perspective", Projection::perspective},
 const Choices<LightKind> light_kinds{{"directional", LightKind::directional},
                                      {"point", LightKind::point},
                                      {"spot", LightKind::spot}};
+const Choices<TangentField> tangent_fields{{"around", TangentField::around},
+                                           {"along", TangentField::along},
+                                           {"texcoord", TangentField::texcoord}};
+const Choices<Tangents> brushes{{"around x", {.field = TangentField::around, .axis = {1, 0, 0}}},
+                                {"around y", {.field = TangentField::around, .axis = {0, 1, 0}}},
+                                {"around z", {.field = TangentField::around, .axis = {0, 0, 1}}},
+                                {"along x", {.field = TangentField::along, .axis = {1, 0, 0}}},
+                                {"along y", {.field = TangentField::along, .axis = {0, 1, 0}}},
+                                {"along z", {.field = TangentField::along, .axis = {0, 0, 1}}},
+                                {"texcoord", {.field = TangentField::texcoord}}};
 
 namespace {
 

@@ -38,6 +38,8 @@ extern const Choices<NormalWeight> normal_weights;
 extern const Choices<Encoding> encodings;
 extern const Choices<Projection> projections;
 extern const Choices<LightKind> light_kinds;
+extern const Choices<TangentField> tangent_fields;
+extern const Choices<Tangents> brushes;  // fields and axes: "around y"
 
 /// The shortest text that reads back as `value`.
 std::string text_of(double value);

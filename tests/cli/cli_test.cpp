@@ -158,6 +158,21 @@ TEST(Cli, AnEmptyViewIsSaidToBeOne) {
   EXPECT_EQ(outcome.err, "warning: nothing of the scene is in view\n");
 }
 
+TEST(Cli, AMeshWithoutTexcoordsIsNamedWhereTangentsFollowThem) {
+  const Folder folder;
+  folder.write("plain.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+  const Outcome outcome = folder.run("render plain.obj --size 20x20 --tangents texcoord");
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_EQ(outcome.err,
+            "warning: plain.obj: has no texture coordinates for tangents to follow; they go around "
+            "y\n");
+  EXPECT_EQ(folder.run("render sphere:4 --size 20x20 --tangents texcoord").err, "");
+  EXPECT_EQ(folder.run("render plain.obj --size 20x20 --tangents 'along x'").err, "");
+  const Outcome wrong = folder.run("render sphere:4 --tangents across");
+  EXPECT_EQ(wrong.exit_code, 2);
+  EXPECT_TRUE(contains(wrong.err, "--tangents: unknown tangents 'across'; there are: around x"));
+}
+
 TEST(Cli, StatsShowStagesAndCounts) {
   const Folder folder;
   const Outcome outcome = folder.run("render cube:1 --size 40x30 --stats --threads 2");

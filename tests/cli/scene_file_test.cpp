@@ -125,6 +125,24 @@ TEST(SceneFile, AnObjectColourMeansTheSecondForm) {
   EXPECT_EQ(scene.objects[0].material.object_colour, Rgb(1.0, 0.0, 0.0));
 }
 
+TEST(SceneFile, TangentsAsTextAndAsTable) {
+  const auto tangents = [](const std::string& text) {
+    return read("[material.m]\ntangents = " + text + "\n[[object]]\nmesh = 'x'\nmaterial = 'm'\n")
+        .objects[0]
+        .material.tangents;
+  };
+  EXPECT_EQ(read(one_object).objects[0].material.tangents.field, TangentField::around);
+  expect_near(read(one_object).objects[0].material.tangents.axis, {0, 1, 0});
+  EXPECT_EQ(tangents("'along z'").field, TangentField::along);
+  expect_near(tangents("'along z'").axis, {0, 0, 1});
+  expect_near(tangents("'around x'").axis, {1, 0, 0});
+  EXPECT_EQ(tangents("'texcoord'").field, TangentField::texcoord);
+  const Tangents lathe = tangents("{ field = 'around', axis = [1, 2, 0], centre = [0, 0, 3] }");
+  EXPECT_EQ(lathe.field, TangentField::around);
+  expect_near(lathe.axis, {1, 2, 0});
+  expect_near(lathe.centre, {0, 0, 3});
+}
+
 TEST(SceneFile, TransformsScaleThenRotateThenTranslate) {
   expect_near(placed("translate = [1, 2, 3]", {1, 0, 0}), {2, 2, 3});
   expect_near(placed("scale = 2", {1, 2, 3}), {2, 4, 6});
@@ -199,6 +217,22 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[material.m]\nka = 1.5\n", "scene.toml:2:6: ka: 1.5 is out of range"},
         Mistake{"[material.m]\nform = 3\n", "scene.toml:2:8: form: 3 is out of range"},
         Mistake{"[material.m]\nform = 1\nobject_colour = 1\n", "scene.toml:3:17: only form 2"},
+        Mistake{"[material.m]\ntangents = 'around w'\n",
+                "scene.toml:2:12: unknown tangents 'around w'; did you mean 'around x'?"},
+        Mistake{"[material.m]\ntangents = 'brushed'\n",
+                "scene.toml:2:12: unknown tangents 'brushed'; there are: around x, around y, "
+                "around z, along x, along y, along z, texcoord"},
+        Mistake{"[material.m]\ntangents = 3\n", "scene.toml:2:12: tangents must be"},
+        Mistake{"[material.m]\ntangents = { axis = [0, 1, 0] }\n",
+                "scene.toml:2:12: tangents have a field: around, along or texcoord"},
+        Mistake{"[material.m]\ntangents = { field = 'along', axis = [0, 0, 0] }\n",
+                "scene.toml:2:38: axis is the zero vector"},
+        Mistake{"[material.m]\ntangents = { field = 'along', centre = [0, 0, 0] }\n",
+                "scene.toml:2:40: only around has a centre"},
+        Mistake{"[material.m]\ntangents = { field = 'texcoord', axis = [0, 1, 0] }\n",
+                "scene.toml:2:41: texcoord has no axis"},
+        Mistake{"[material.m]\ntangents = { field = 'around', axes = [0, 1, 0] }\n",
+                "scene.toml:2:32: unknown key 'axes'"},
         Mistake{"[[object]]\nname = 'x'\n", "scene.toml:1:1: an object has a mesh"},
         Mistake{"[[object]]\nmesh = 'x'\nmaterial = 'gold'\n",
                 "scene.toml:3:12: unknown material 'gold'; the scene has no [material.gold]"},
