@@ -43,7 +43,7 @@ struct Material {
   Rgb<double> ka{0.1};  // ambient reflectance
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1.0};  // form 2 only
-  Tangents tangents;
+  Tangents tangents{};
 };
 
 /// Which faces are drawn. `automatic` is `front` for a closed mesh and `both` for any other; a back

@@ -38,7 +38,7 @@ struct MaterialDescription {
   std::optional<Rgb<double>> ka;
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1.0};
-  Tangents tangents;
+  std::optional<Tangents> tangents;  // else the model's own, where it is a material that has some
 };
 
 struct ObjectDescription {
