@@ -91,7 +91,8 @@ bool has_meaning(const ParameterInfo& p, const Values& values) {
   const auto equals = p.only_with.find('=');
   const std::string& word =
       std::get<std::string>(value_of(values, std::string_view(p.only_with).substr(0, equals)));
-  for (const auto allowed : split_outside_parentheses(p.only_with.substr(equals + 1), '|'))
+  const std::string_view allowed_words = std::string_view(p.only_with).substr(equals + 1);
+  for (const auto allowed : split_outside_parentheses(allowed_words, '|'))
     if (allowed == word) return true;
   return false;
 }
