@@ -1,160 +1,19 @@
 // scanlit reflect
-#include <array>
-#include <iostream>
+#include <algorithm>
 #include <memory>
 
 #include "lessons/studio/commands.h"
-#include "lessons/studio/program.h"
-#include "lessons/studio/reflect/pictures.h"
-#include "lessons/studio/reflect/plots.h"
-#include "lessons/studio/reflect/reports.h"
-#include "lessons/studio/reflect/values.h"
-#include "lessons/studio/text.h"
+#include "lessons/studio/reflect/actions.h"
 #include "rasterizer/error.h"
-#include "rasterizer/image.h"
-#include "rasterizer/image/output_file.h"
 
 namespace scanlit::studio {
 namespace {
-
-constexpr Range incidence_range_deg{0, 89.9};  // at 90 no light arrives
-constexpr Range sphere_light_range_deg{0, 180};
-constexpr Range cell_range{16, 4096};
-
-struct ReflectOptions {
-  std::vector<std::string> models;
-  std::string output, rows, plot, precision = "double", quantity = "value", angles, azimuth, cell,
-                                  exposure;
-  bool logarithmic = false, terms = false, furnace = false, reciprocity = false;
-  CLI::App* app = nullptr;
-
-  bool given(const std::string& option) const { return app->count(option) > 0; }
-};
 
 struct Action {
   const char* option;
   void (*run)(const ReflectOptions& options);
   std::vector<std::string> goes_with;  // options that mean something to it
 };
-
-std::vector<models::NamedModel> make_models(const ReflectOptions& options) {
-  std::vector<models::NamedModel> result;
-  for (const std::string& specification : options.models)
-    result.push_back(models::make(specification));
-  return result;
-}
-
-models::NamedModel make_only_model(const ReflectOptions& options, const std::string& action) {
-  if (options.models.size() != 1)
-    throw Error(action, "wants one model, not " + std::to_string(options.models.size()));
-  return models::make(options.models[0]);
-}
-
-std::vector<double> angles_of(const ReflectOptions& options, std::vector<double> otherwise,
-                              const Range& range) {
-  if (!options.given("--angles")) return otherwise;
-  std::vector<double> angles;
-  for (std::string_view rest = options.angles;;) {
-    const std::size_t end = std::min(rest.find(','), rest.size());
-    angles.push_back(parse_number("--angles", rest.substr(0, end), range));
-    if (end == rest.size()) return angles;
-    rest.remove_prefix(end + 1);
-  }
-}
-
-double azimuth_of(const ReflectOptions& options) {
-  return options.given("--azimuth") ? parse_number("--azimuth", options.azimuth, any_angle_deg) : 0;
-}
-
-void write_text(const std::string& text, const std::string& output) {
-  if (output.empty()) {
-    std::cout << text;
-    return;
-  }
-  const HoldInterrupts until_written;
-  OutputFile file(output);
-  std::fwrite(text.data(), 1, text.size(), file.stream());
-  file.commit();
-}
-
-void print_values(const ReflectOptions& options) {
-  const Choices<Precision> precisions{
-      {"double", Precision::double_}, {"float", Precision::float_}, {"batch", Precision::batch}};
-  const Precision precision = choose("--precision", "precision", options.precision, precisions);
-  const models::NamedModel model = make_only_model(options, "--values");
-  const std::string file = options.rows.empty() ? "-" : options.rows;
-  const auto rows = read_rows(read_all(file), file == "-" ? "standard input" : file);
-  std::string text;
-  for (const Rgb<double>& value : evaluate_rows(*model.model, rows, precision)) {
-    char line[100];
-    std::snprintf(line, sizeof line, "%.17g,%.17g,%.17g\n", value.r, value.g, value.b);
-    text += line;
-  }
-  write_text(text, options.output);
-}
-
-void print_furnace(const ReflectOptions& options) {
-  const auto angles = angles_of(options, {0, 30, 60, 75, 85, 89}, incidence_range_deg);
-  write_text(furnace_report(make_only_model(options, "--furnace"), angles, azimuth_of(options)),
-             options.output);
-}
-
-void print_reciprocity(const ReflectOptions& options) {
-  write_text(reciprocity_report(make_only_model(options, "--reciprocity")), options.output);
-}
-
-void print_terms(const ReflectOptions& options) {
-  const auto angles = angles_of(options, {30, 60}, incidence_range_deg);
-  write_text(terms_report(make_only_model(options, "--terms"), angles, azimuth_of(options)),
-             options.output);
-}
-
-using PlotText = std::string (*)(const PlotRequest&);
-using DrawPicture = Framebuffer (*)(const PictureRequest&);
-
-void write_plot(const ReflectOptions& options, PlotText plot) {
-  if (std::filesystem::path(options.output).extension() != ".svg")
-    throw Error(options.output, "a " + options.plot + " plot is an .svg file");
-  PlotRequest request;
-  request.models = make_models(options);
-  request.light_angles_deg = angles_of(options, {30, 60}, incidence_range_deg);
-  request.azimuth_deg = azimuth_of(options);
-  request.logarithmic = options.logarithmic;
-  const Choices<Quantity> quantities{{"value", Quantity::value}, {"brdf", Quantity::brdf}};
-  request.quantity = choose("--quantity", "quantity", options.quantity, quantities);
-  OutputFile{options.output};  // nobody waits for a plot that has nowhere to go
-  write_text(plot(request), options.output);
-  std::cout << options.output << ": " << options.plot << " plot\n";
-}
-
-void write_picture(const ReflectOptions& options, DrawPicture draw) {
-  check_image_target(options.output, 1, 1);
-  PictureRequest request;
-  request.models = make_models(options);
-  request.light_angles_deg = angles_of(options, {0, 30, 60, 90}, sphere_light_range_deg);
-  if (options.given("--cell")) request.cell = parse_integer("--cell", options.cell, cell_range);
-  ImageOptions image;
-  if (options.given("--exposure"))
-    image.exposure_ev = parse_number("--exposure", options.exposure, exposure_range_ev);
-  const Framebuffer picture = draw(request);
-  const HoldInterrupts until_written;
-  write_image(options.output, picture, image);
-  std::cout << options.output << ": " << picture.width << " x " << picture.height << " pixels\n";
-}
-
-void plot(const ReflectOptions& options) {
-  using Draw = void (*)(const ReflectOptions&);
-  const Choices<Draw> kinds{
-      {"polar", [](auto& o) { write_plot(o, plot_polar); }},
-      {"cartesian", [](auto& o) { write_plot(o, plot_cartesian); }},
-      {"albedo", [](auto& o) { write_plot(o, plot_albedo); }},
-      {"sphere", [](auto& o) { write_picture(o, draw_spheres); }},
-      {"slice", [](auto& o) { write_picture(o, draw_slices); }},
-  };
-  const Draw draw = choose("--plot", "plot", options.plot, kinds);
-  if (options.output.empty()) throw Error("--plot", "wants the name of a file: -o FILE");
-  draw(options);
-}
 
 const std::vector<Action>& actions() {
   static const std::vector<Action> all{
@@ -163,6 +22,7 @@ const std::vector<Action>& actions() {
       {"--terms", print_terms, {"--angles", "--azimuth"}},
       {"--furnace", print_furnace, {"--angles", "--azimuth"}},
       {"--reciprocity", print_reciprocity, {}},
+      {"--tabulate", write_table, {}},
   };
   return all;
 }
@@ -206,13 +66,15 @@ void add_options(CLI::App& app, ReflectOptions& o) {
   app.add_flag("--furnace", o.furnace, "print the directional albedo, with its error")->group(what);
   app.add_flag("--reciprocity", o.reciprocity, "print the worst violation of f_r(l,v) = f_r(v,l)")
       ->group(what);
+  app.add_option("--tabulate", o.table, "write the model as a measured table: merl or utia")
+      ->type_name("FORMAT")
+      ->group(what);
   const char* const how = "How";
   app.add_option("--precision", o.precision, "of --values: double, float or batch (double)")
       ->type_name("NAME")
       ->group(how);
   app.add_option("--angles", o.angles,
-                 "from the normal, as in 30,60; --furnace: the viewer's, "
-                 "else the light's; sphere: from the viewer")
+                 "the light's from the normal, as in 30,60; --furnace: the viewer's")
       ->type_name("DEG,...")
       ->group(how);
   app.add_option("--azimuth", o.azimuth, "of that direction, from the tangent (0)")
@@ -247,7 +109,9 @@ Command add_reflect_command(CLI::App& program) {
       "a\n"
       "length of 1 to 0.00001; a header line may name the columns. Answers are r,g,b, a row each.\n"
       "Polar and cartesian plots lie in the plane of incidence; the axis is pi f_r (n.l), what is\n"
-      "reflected of a light of intensity 1, or f_r in 1/sr.");
+      "reflected of a light of intensity 1, or f_r in 1/sr. A sphere's light is so many degrees "
+      "from\n"
+      "the viewer's direction, towards the upper left. A slice is pi f_r at phi_d = 90 degrees.");
   const auto options = std::make_shared<ReflectOptions>();
   options->app = app;
   add_options(*app, *options);

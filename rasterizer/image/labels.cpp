@@ -30,6 +30,17 @@ std::string font_under(const std::filesystem::path& folder) {
   return "";
 }
 
+/// A question mark for each character (UTF-8) beyond ASCII.
+std::string ascii(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    if (const auto byte = static_cast<unsigned char>(c); byte < 0x80)
+      result += c;
+    else if (byte >= 0xc0)  // the first of several bytes
+      result += '?';
+  return result;
+}
+
 }  // namespace
 
 std::optional<Font> Font::find() {
@@ -47,7 +58,7 @@ std::optional<Font> Font::find() {
 
 int Font::width(const std::string& text, int size) const {
   if (text.empty()) return 0;
-  const OIIO::ROI roi = OIIO::ImageBufAlgo::text_size(text, size, file_);
+  const OIIO::ROI roi = OIIO::ImageBufAlgo::text_size(ascii(text), size, file_);
   return roi.defined() ? roi.width() : 0;
 }
 
@@ -68,7 +79,7 @@ void Font::draw(Framebuffer& picture, int x, int y, const std::string& text, int
                                                       : TextAlignX::Right;
   const OIIO::ImageSpec spec(picture.width, picture.height, 4, OIIO::TypeDesc::FLOAT);
   OIIO::ImageBuf pixels(spec, picture.colour.data());
-  OIIO::ImageBufAlgo::render_text(pixels, x, y, text, size, file_,
+  OIIO::ImageBufAlgo::render_text(pixels, x, y, ascii(text), size, file_,
                                   {colour.r, colour.g, colour.b, 1.0f}, align_x);
 }
 

@@ -11,7 +11,9 @@ namespace scanlit {
 
 enum class Align { left, centre, right };
 
-/// A font file. A system may have none: pictures are then drawn without their labels.
+/// A font file. Texts are ASCII; a question mark is drawn for any other character, since
+/// OpenImageIO 2.4 draws wrong ones. A system may have none: pictures are then drawn without their
+/// labels.
 class Font {
  public:
   /// The file that the environment variable SCANLIT_FONT names, or, where it is not set, a plain
@@ -19,7 +21,7 @@ class Font {
   /// is none that can be read.
   static std::optional<Font> find();
 
-  /// Of text (UTF-8) in this size, in pixels.
+  /// Of text in this size, in pixels.
   int width(const std::string& text, int size) const;
 
   /// The text, or as much of its beginning and end as fits into so many pixels, around "...".

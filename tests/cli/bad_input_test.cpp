@@ -1,11 +1,10 @@
 // Every bad input: one line on stderr that begins with "error: ", exit code 2, no file left behind.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <ostream>
 #include <string>
 
-#include "tests/cli/run_program.h"
+#include "tests/cli/refusal.h"
 
 namespace scanlit::test {
 namespace {
@@ -17,16 +16,6 @@ struct BadInput {
 };
 
 void PrintTo(const BadInput& bad, std::ostream* out) { *out << bad.arguments; }
-
-void expect_refusal(const Outcome& outcome, const std::string& message) {
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_EQ(outcome.out, "");
-  EXPECT_TRUE(outcome.err.starts_with("error: ")) << outcome.err;
-  EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
-  EXPECT_TRUE(outcome.err.ends_with('\n')) << outcome.err;
-  EXPECT_NE(outcome.err.find(message), std::string::npos)
-      << outcome.err << "does not say: " << message;
-}
 
 class Refusal : public testing::TestWithParam<BadInput> {};
 

@@ -34,21 +34,23 @@ std::string plot_albedo(const PlotRequest& request) {
   const CurveSet set = make_curves(request.models, {}, samples);
   const std::string title = heading(request, "Directional albedo");
 
-  const double legend_top = 92, top = legend_top + legend_height(set.legend) + 12;
+  const double legend_top = 92, top = legend_top + legend_height(set.legend, panel_width) + 12;
   const double width = left + panel_width + right;
   Svg svg(width, top + panel_height + 64, "Directional albedo of " + title);
   svg.text({width / 2, 34}, title, {.size = 19, .anchor = "middle", .bold = true});
   std::string remark = "share of the light from every side that is reflected to the viewer";
   if (set.of_colour && !set.channels_apart) remark += ", luminance";
   svg.text({width / 2, 60}, remark, {.size = 14, .anchor = "middle"});
-  const int columns = legend_columns(set.legend);
-  draw_legend(svg, {left, legend_top}, set.legend, columns, panel_width / columns);
+  draw_legend(svg, {left, legend_top}, set.legend, panel_width);
 
   const Panel panel(svg, {left, top, panel_width, panel_height},
                     angle_axis(0, 90, 15, "viewing angle θ_v"),
-                    linear_axis(std::max(1.0, set.max), "directional albedo"));
-  // White: above it a surface gives back more light than it gets.
-  svg.line(panel.at(0, 1), panel.at(90, 1), {"black", 1.6, "7 5"});
+                    linear_axis(std::max(1.1, set.max), "directional albedo"));
+  // Above it a surface gives back more light than it gets.
+  svg.line(panel.at(0, 1), panel.at(90, 1), {"#444444", 1.4, "7 5"});
+  const PlotPoint end = panel.at(90, 1);
+  svg.text({end.x - 10, end.y - 7}, "a perfect white",
+           {.size = 13, .anchor = "end", .colour = "#444444"});
   panel.draw(set.curves);
   return svg.finish();
 }

@@ -47,6 +47,32 @@ void refine(const std::function<Rgb<double>(double)>& f, const std::function<dou
   }
 }
 
+constexpr double legend_row = 24, legend_line = 42;
+
+struct LegendLayout {
+  double column_width;
+  std::size_t characters;                  // that a label may have
+  std::vector<std::pair<int, int>> cells;  // row and column of each entry
+  int rows = 0;
+
+  LegendLayout(const std::vector<LegendEntry>& legend, double width) {
+    constexpr double character = 8.7;  // of lettering of size 14, on the wide side
+    constexpr double beside = legend_line + 10 + 24;
+    std::size_t longest = 1;
+    for (const LegendEntry& entry : legend) longest = std::max(longest, entry.label.size());
+    const double wanted = beside + character * double(longest);
+    const int columns = std::clamp(int(width / wanted), 1, 4);
+    column_width = std::min(wanted, width);
+    characters = std::size_t((width / columns - beside) / character);
+    int column = columns;
+    for (std::size_t i = 0; i < legend.size(); ++i, ++column) {
+      const bool another_kind = i > 0 && legend[i].formula != legend[i - 1].formula;
+      if (column == columns || another_kind) ++rows, column = 0;
+      cells.emplace_back(rows - 1, column);
+    }
+  }
+};
+
 Curve curve_of(const std::vector<Sample>& samples, const Stroke& stroke,
                const std::function<double(const Rgb<double>&)>& value) {
   Curve curve{stroke, {}};
@@ -82,7 +108,10 @@ CurveSet make_curves(const std::vector<models::NamedModel>& models,
     for (const auto& of_angle : of_model)
       for (const auto& [angle, value] : of_angle) {
         set.of_colour |= value != Rgb<double>(value.r);
-        set.max = std::max({set.max, value.r, value.g, value.b});
+        for (const double c : {value.r, value.g, value.b}) {
+          set.max = std::max(set.max, c);
+          if (c > 0) set.least = std::min(set.least, c);
+        }
       }
   if (set.of_colour && models.size() == 1 && angles <= 1) {
     set.channels_apart = true;
@@ -120,26 +149,19 @@ std::string elided(const std::string& text, std::size_t characters) {
   return text.substr(0, kept) + " … " + text.substr(text.size() - kept);
 }
 
-int legend_columns(const std::vector<LegendEntry>& legend) {
-  const bool all_short = std::ranges::all_of(legend, [](auto& e) { return e.label.size() <= 42; });
-  return all_short && legend.size() > 1 ? (legend.back().label.size() <= 14 ? 4 : 2) : 1;
+double legend_height(const std::vector<LegendEntry>& legend, double width) {
+  return legend_row * LegendLayout(legend, width).rows;
 }
 
-double legend_height(const std::vector<LegendEntry>& legend) {
-  const std::size_t columns = std::size_t(legend_columns(legend));
-  return legend_row * double((legend.size() + columns - 1) / columns);
-}
-
-double draw_legend(Svg& svg, PlotPoint at, const std::vector<LegendEntry>& legend, int columns,
-                   double column_width) {
+void draw_legend(Svg& svg, PlotPoint at, const std::vector<LegendEntry>& legend, double width) {
+  const LegendLayout layout(legend, width);
   for (std::size_t i = 0; i < legend.size(); ++i) {
-    const double x = at.x + column_width * double(int(i) % columns);
-    const double y = at.y + legend_row * double(int(i) / columns);
-    svg.line({x, y - 5}, {x + 42, y - 5}, legend[i].stroke);
-    svg.text({x + 52, y}, elided(legend[i].label, columns > 1 ? 42 : 88),
+    const auto [row, column] = layout.cells[i];
+    const double x = at.x + layout.column_width * column, y = at.y + legend_row * row;
+    svg.line({x, y - 5}, {x + legend_line, y - 5}, legend[i].stroke);
+    svg.text({x + legend_line + 10, y}, elided(legend[i].label, layout.characters),
              {.size = 14, .formula = legend[i].formula});
   }
-  return legend_height(legend);
 }
 
 }  // namespace scanlit::studio

@@ -40,7 +40,8 @@ struct CurveSet {
   std::vector<Curve> curves;
   std::vector<LegendEntry> legend;
   bool of_colour = false, channels_apart = false;
-  double max = 0;  // of all values
+  double max = 0;      // of all values
+  double least = 1e9;  // of those above 0
 };
 
 /// Of samples[m][a], model m at angle a (light angles; one nameless one where there are none).
@@ -51,12 +52,9 @@ CurveSet make_curves(const std::vector<models::NamedModel>& models,
 /// Text that would be longer, with its middle left out.
 std::string elided(const std::string& text, std::size_t characters);
 
-/// One row per entry from `at` on; returns the height used.
-double draw_legend(Svg& svg, PlotPoint at, const std::vector<LegendEntry>& legend, int columns,
-                   double column_width);
-constexpr double legend_row = 24;
-/// Rows a legend needs; it may have two columns where labels are short.
-int legend_columns(const std::vector<LegendEntry>& legend);
-double legend_height(const std::vector<LegendEntry>& legend);
+/// A legend in as many columns as its labels leave room for in `width`; light angles, which are
+/// formulas, begin a row of their own.
+double legend_height(const std::vector<LegendEntry>& legend, double width);
+void draw_legend(Svg& svg, PlotPoint at, const std::vector<LegendEntry>& legend, double width);
 
 }  // namespace scanlit::studio

@@ -22,7 +22,7 @@ std::function<Rgb<double>(double)> lobe(const PlotRequest& request, const Reflec
 }  // namespace
 
 std::string quantity_title(Quantity quantity) {
-  return quantity == Quantity::value ? "I = π f_r (n·l)" : "f_r   [1/sr]";
+  return quantity == Quantity::value ? "I = π f_r (n·l)" : "f_r [1/sr]";
 }
 
 std::vector<std::vector<std::vector<Sample>>> sample_lobes(

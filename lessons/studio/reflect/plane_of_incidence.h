@@ -6,7 +6,7 @@
 
 namespace scanlit::studio {
 
-/// "I = π f_r (n·l)" or "f_r  [1/sr]": what stands on the axis.
+/// "I = π f_r (n·l)" or "f_r [1/sr]": what stands on the axis.
 std::string quantity_title(Quantity quantity);
 
 /// samples[model][light angle] over viewing angles of -90 to 90 degrees: positive on the side of

@@ -9,7 +9,8 @@
 namespace scanlit::studio {
 namespace {
 
-constexpr double width = 900, radius = 370, margin = 28;
+constexpr double width = 900, radius = 370, margin = 80;
+constexpr double legend_width = width - 2 * margin;
 constexpr double below = 78;  // of the surface: its hatching, the radial ticks, the axis' title
 const Stroke grid{"#CCCCCC", 1}, rays{"#DDDDDD", 1}, axis{"black", 1.4};
 const Stroke light_stroke{"#333333", 2}, mirror_stroke{"#555555", 1.2, "5 4"};
@@ -50,7 +51,7 @@ class HalfDisc {
               {.size = 15, .anchor = "middle", .formula = true});
     svg_.text({centre_.x - radius / 2, centre_.y + 33}, "viewing angle θ_v from the normal",
               {.size = 14, .anchor = "middle", .formula = true});
-    svg_.text({centre_.x - radius / 2, centre_.y + 54}, "← towards the light   |   away from it →",
+    svg_.text({centre_.x - radius / 2, centre_.y + 54}, "← towards the light | away from it →",
               {.size = 13, .anchor = "middle", .colour = "#555555"});
   }
 
@@ -83,14 +84,12 @@ std::string plot_polar(const PlotRequest& request) {
   const std::string title = heading(request, "Lobes"), remark = remarks(request, set);
 
   const double top = 44 + (remark.empty() ? 0 : 24);
-  const double disc_top = top + 20 + legend_height(set.legend) + 24;
+  const double disc_top = top + 20 + legend_height(set.legend, legend_width) + 24;
   const PlotPoint centre{width / 2, disc_top + radius};
   Svg svg(width, centre.y + below, "Polar plot of " + title);
   svg.text({width / 2, 34}, title, {.size = 19, .anchor = "middle", .bold = true});
   svg.text({width / 2, 60}, remark, {.size = 14, .anchor = "middle", .formula = true});
-  const int columns = legend_columns(set.legend);
-  draw_legend(svg, {margin + 40, top + 24}, set.legend, columns,
-              (width - 2 * margin - 60) / columns);
+  draw_legend(svg, {margin, top + 24}, set.legend, legend_width);
 
   const HalfDisc disc(svg, centre, ticks);
   disc.draw_grid(quantity_title(request.quantity));

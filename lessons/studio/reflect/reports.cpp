@@ -20,10 +20,16 @@ std::string fixed(double value, int decimals) {
   return text;
 }
 
-std::string short_text(double value) {
+std::string short_text(double value, int digits = 2) {
   char text[64];
-  std::snprintf(text, sizeof text, "%.2g", value);
+  std::snprintf(text, sizeof text, "%.*g", digits, value);
   return text;
+}
+
+std::string short_text(const Rgb<double>& value, int digits) {
+  const std::string red = short_text(value.r, digits);
+  if (value == Rgb<double>(value.r)) return red;
+  return red + "/" + short_text(value.g, digits) + "/" + short_text(value.b, digits);
 }
 
 std::string text_of_direction(const Vec3<double>& a) {
@@ -32,10 +38,39 @@ std::string text_of_direction(const Vec3<double>& a) {
 
 double largest(const Rgb<double>& a) { return std::max({a.r, a.g, a.b}); }
 
-const models::ModelInfo& info_of(const models::NamedModel& model) {
-  const std::string name = models::parse_specification(model.specification).name;
+const models::ModelInfo& info_of(const std::string& name) {
   return *std::ranges::find(models::list(), name, &models::ModelInfo::name);
 }
+
+/// D, G or F of a model that is made of them: the part of this name, with the model's arguments.
+class Part {
+ public:
+  Part(const models::NamedModel& whole, const std::string& name) {
+    const models::Specification given = models::parse_specification(whole.specification);
+    if (given.name != "cook-torrance" && given.name != "torrance-sparrow")
+      throw Error("--terms", "'" + given.name +
+                                 "' is not made of D, G and F; cook-torrance and torrance-sparrow "
+                                 "are");
+    std::string arguments;
+    for (const models::ParameterInfo& p : info_of(name).parameters) {
+      const auto written = std::ranges::find(given.arguments, p.key, &models::Argument::key);
+      std::string value;
+      if (written != given.arguments.end())
+        value = written->value;
+      else if (p.kind == models::ParameterKind::choice)  // the model's default, not the part's
+        value = std::get<std::string>(models::value_of(whole.values, p.key));
+      if (!value.empty()) arguments += (arguments.empty() ? ":" : ",") + p.key + "=" + value;
+    }
+    model_ = models::make(name + arguments).model;
+  }
+
+  Rgb<double> operator()(const Vec3<double>& l, const Vec3<double>& v) const {
+    return model_->evaluate(l, v).glossy;
+  }
+
+ private:
+  std::shared_ptr<const ReflectionModel> model_;
+};
 
 }  // namespace
 
@@ -64,6 +99,7 @@ std::string furnace_report(const models::NamedModel& model, const std::vector<do
 
 std::string reciprocity_report(const models::NamedModel& model) {
   const Violation worst = worst_violation(*model.model);
+  const models::ModelInfo& info = info_of(models::parse_specification(model.specification).name);
   std::ostringstream out;
   out << "Reciprocity of " << model.specification << "\n\n";
   print_columns(out,
@@ -73,21 +109,30 @@ std::string reciprocity_report(const models::NamedModel& model) {
                  {"and v", text_of_direction(worst.v)},
                  {"f_r(l,v) [1/sr]", text_of(worst.forward)},
                  {"f_r(v,l) [1/sr]", text_of(worst.backward)},
-                 {"declared", info_of(model).reciprocal ? "reciprocal" : "not reciprocal"}},
+                 {"declared", info.reciprocal ? "reciprocal" : "not reciprocal"}},
                 "  ");
   return out.str();
 }
 
 std::string terms_report(const models::NamedModel& model,
                          const std::vector<double>& light_angles_deg, double azimuth_deg) {
-  const models::Specification given = models::parse_specification(model.specification);
-  const std::vector<std::string> with_terms{"cook-torrance", "torrance-sparrow"};
-  if (std::ranges::find(with_terms, given.name) == with_terms.end())
-    throw Error(
-        "--terms",
-        "'" + given.name + "' is not made of D, G and F; cook-torrance and torrance-sparrow are");
-  (void)light_angles_deg, (void)azimuth_deg;  // TODO
-  return "";
+  const Part D(model, "distribution"), G(model, "masking"), F(model, "fresnel");
+  std::ostringstream out;
+  out << "D, G and F of " << model.specification << ", in the plane of incidence\n";
+  for (const double light_deg : light_angles_deg) {
+    std::vector<std::vector<std::string>> rows{
+        {"viewer", "half vector", "D [1/sr]", "G", "F", "pi f_r (n.l)"}};
+    const Vec3<double> l = direction_at(light_deg, azimuth_deg);
+    for (const int view_deg : {-85, -75, -60, -45, -30, -15, 0, 15, 30, 45, 60, 75, 85}) {
+      const Vec3<double> v = direction_at(-view_deg, azimuth_deg);
+      rows.push_back({std::to_string(view_deg), text_of((view_deg - light_deg) / 2),
+                      short_text(D(l, v).r, 5), short_text(G(l, v).r, 5), short_text(F(l, v), 5),
+                      short_text(reflected(*model.model, l, v), 5)});
+    }
+    out << "\nLight at " << text_of(light_deg) << " degrees\n";
+    print_columns(out, rows, "  ");
+  }
+  return out.str();
 }
 
 }  // namespace scanlit::studio

@@ -37,13 +37,14 @@ Framebuffer draw_slice(const ReflectionModel& model, int side) {
   return slice;
 }
 
-/// "θ" with a smaller, lower letter behind it; x is the left end. Returns the right end.
-int draw_angle_name(const Font& font, Framebuffer& picture, int x, int y, int size, char letter) {
-  font.draw(picture, x, y, "θ", size, Align::left, ink);
-  x += font.width("θ", size) + 1;
-  const std::string subscript(1, letter);
-  font.draw(picture, x, y + size / 4, subscript, size * 3 / 4, Align::left, ink);
-  return x + font.width(subscript, size * 3 / 4);
+/// "theta" with a smaller, lower letter behind it, and more text; x is the left end.
+void draw_angle_name(const Font& font, Framebuffer& picture, int x, int y, int size,
+                     const std::string& letter, const std::string& more) {
+  font.draw(picture, x, y, "theta", size, Align::left, ink);
+  x += font.width("theta", size) + 1;
+  font.draw(picture, x, y + size / 4, letter, size * 3 / 4, Align::left, ink);
+  x += font.width(letter, size * 3 / 4) + size / 2;
+  font.draw(picture, x, y, more, size, Align::left, ink);
 }
 
 void draw_axes(const Font& font, Framebuffer& picture, int left, int top, int side, int size) {
@@ -52,16 +53,13 @@ void draw_axes(const Font& font, Framebuffer& picture, int left, int top, int si
     const int x = left + side * deg / 90, y = bottom - side * deg / 90;
     fill(picture, x, bottom, x + 1, bottom + tick, frame);
     fill(picture, left - tick, y, left, y + 1, frame);
-    const std::string label = std::to_string(deg) + "°";
+    const std::string label = std::to_string(deg);
     font.draw(picture, x, bottom + tick + size * 5 / 4, label, size, Align::centre, ink);
     font.draw(picture, left - tick - size / 3, y + size / 3, label, size, Align::right, ink);
   }
-  const int under = bottom + tick + size * 11 / 4;
-  const int name_end = draw_angle_name(font, picture, left + side / 3, under, size, 'h');
-  font.draw(picture, name_end + size / 2, under, "half vector", size, Align::left, ink);
-  const int over = top - size * 3 / 4;
-  const int above_end = draw_angle_name(font, picture, left - 2 * size, over, size, 'd');
-  font.draw(picture, above_end + size / 2, over, "difference", size, Align::left, ink);
+  draw_angle_name(font, picture, left, bottom + tick + size * 11 / 4, size, "h",
+                  "(half vector), degrees");
+  draw_angle_name(font, picture, left - 2 * size, top - size, size, "d", "(difference), degrees");
 }
 
 }  // namespace

@@ -35,6 +35,7 @@ Framebuffer draw_sphere(const std::shared_ptr<const Mesh>& sphere, const models:
   camera.eye = {0, 0, 4};
   camera.projection = Projection::orthographic;
   camera.height = 2.14;
+  camera.far = 8;
 
   RenderSettings settings;
   settings.samples = 16;
@@ -60,7 +61,7 @@ Framebuffer draw_spheres(const PictureRequest& request) {
     const double light_deg = request.light_angles_deg[std::size_t(column)];
     const int x = gap + column * side;
     if (font)
-      font->draw(picture, x + side / 2, head - line / 2, "light at " + text_of(light_deg) + "°",
+      font->draw(picture, x + side / 2, head - line / 2, "light at " + text_of(light_deg) + " deg",
                  size, Align::centre, ink);
     for (int row = 0; row < rows; ++row)
       paste(draw_sphere(sphere, request.models[std::size_t(row)], light_deg, side), picture, x,

@@ -44,22 +44,26 @@ std::string stroked(const Stroke& stroke) {
   return result;
 }
 
-/// Subscripts as spans set lower and smaller: baseline-shift is not drawn by every program.
+/// Subscripts as spans set lower and smaller: baseline-shift is not drawn by every program, and a
+/// blank at the beginning of a span is not either.
 std::string with_subscripts(const std::string& text, double size) {
   std::string result;
   bool lowered = false;
-  for (std::size_t i = 0; i < text.size(); ++i) {
+  for (std::size_t i = 0; i < text.size();) {
     if (text[i] == '_' && i + 1 < text.size()) {
       result += "<tspan" + attribute("dy", 0.25 * size) + attribute("font-size", 0.72 * size) +
-                ">" + escaped(text.substr(++i, 1)) + "</tspan>";
+                ">" + escaped(text.substr(i + 1, 1)) + "</tspan>";
       lowered = true;
+      i += 2;
       continue;
     }
-    std::size_t end = std::min(text.find('_', i), text.size());
-    result += "<tspan" + (lowered ? attribute("dy", -0.25 * size) : "") + ">" +
-              escaped(text.substr(i, end - i)) + "</tspan>";
+    const bool apart = text[i] == ' ';
+    const std::size_t end = std::min(text.find('_', i + 1), text.size());
+    result += "<tspan" + (lowered ? attribute("dy", -0.25 * size) : "") +
+              (apart ? attribute("dx", 0.32 * size) : "") + ">" +
+              escaped(text.substr(i + apart, end - i - apart)) + "</tspan>";
     lowered = false;
-    i = end - 1;
+    i = end;
   }
   return result;
 }

@@ -7,9 +7,10 @@ namespace scanlit::studio {
 
 std::vector<double> round_ticks(double max, int count) {
   const double rough = max / count, power = std::pow(10, std::floor(std::log10(rough)));
-  double step = 10 * power;
-  for (const double factor : {5.0, 2.5, 2.0, 1.0})
-    if (factor * power >= rough * (1 - 1e-9)) step = factor * power;
+  const auto distance = [&](double factor) { return std::abs(std::log(factor * power / rough)); };
+  double step = power;
+  for (const double factor : {2.0, 5.0, 10.0})
+    if (distance(factor) < distance(step / power)) step = factor * power;
   std::vector<double> ticks{0};
   // A hundredth of a step above the last tick is not worth another.
   while (ticks.back() < max - 0.01 * step) ticks.push_back(step * double(ticks.size()));
