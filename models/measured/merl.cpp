@@ -37,23 +37,24 @@ bool measured(const Rgb<double>& entry) { return entry.r >= 0 && entry.g >= 0 &&
 }  // namespace
 
 Entry merl_entry() {
-  ModelInfo info;
-  info.year = 2003;
-  info.name = "merl";
-  info.title = "MERL (a measured isotropic material)";
-  info.source =
-      "Matusik, Pfister, Brand, McMillan 2003, A data-driven reflectance model; angles: "
-      "Rusinkiewicz 1998, A new change of variables for efficient BRDF representation";
-  info.reciprocal = true;
-  info.parameters.resize(2);
-  ParameterInfo& file = info.parameters[0];
-  file.key = "file", file.kind = ParameterKind::file, file.initial = "";
-  file.meaning = "a table of 90 90 180 bins, as published: x.binary";
-  ParameterInfo& lookup = info.parameters[1];
-  lookup.key = "lookup", lookup.kind = ParameterKind::choice, lookup.initial = "trilinear";
-  lookup.choices = {"nearest", "trilinear"};
-  lookup.meaning = "the bin's entry, or between the centres of bins";
-  return {std::move(info), &make_merl};
+  return {
+      .info = {.year = 2003,
+               .name = "merl",
+               .title = "MERL (a measured isotropic material)",
+               .source = "Matusik, Pfister, Brand, McMillan 2003, A data-driven reflectance model; "
+                         "angles: Rusinkiewicz 1998, A new change of variables for efficient BRDF "
+                         "representation",
+               .reciprocal = true,
+               .parameters = {{.key = "file",
+                               .kind = ParameterKind::file,
+                               .initial = "",
+                               .meaning = "a table of 90 90 180 bins, as published: x.binary"},
+                              {.key = "lookup",
+                               .kind = ParameterKind::choice,
+                               .initial = "trilinear",
+                               .choices = {"nearest", "trilinear"},
+                               .meaning = "the bin's entry, or between the centres of bins"}}},
+      .make = &make_merl};
 }
 
 HalfDifference<double> MerlTable::centre(int theta_h_bin, int theta_d_bin, int phi_d_bin) {

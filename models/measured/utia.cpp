@@ -37,23 +37,25 @@ NamedModel make_utia(const ModelInfo& info, std::span<const Argument> arguments,
 }  // namespace
 
 Entry utia_entry() {
-  ModelInfo info;
-  info.year = 2014;
-  info.name = "utia";
-  info.title = "UTIA (a measured anisotropic material)";
-  info.source = "Filip, Vavra 2014, Template-based sampling of anisotropic BRDFs";
-  info.parameters.resize(3);
-  ParameterInfo& file = info.parameters[0];
-  file.key = "file", file.kind = ParameterKind::file, file.initial = "";
-  file.meaning = "a table of 3 * 288 * 288 numbers: x.bin";
-  ParameterInfo& encoding = info.parameters[1];
-  encoding.key = "encoding", encoding.kind = ParameterKind::choice, encoding.initial = "linear";
-  encoding.choices = {"linear", "srgb"};
-  encoding.meaning = "how the file's numbers stand for f_r";
-  ParameterInfo& scale = info.parameters[2];
-  scale.key = "scale", scale.initial = 1.0, scale.min = 0, scale.max = 1000;
-  scale.meaning = "what f_r is multiplied by";
-  return {std::move(info), &make_utia};
+  return {.info = {.year = 2014,
+                   .name = "utia",
+                   .title = "UTIA (a measured anisotropic material)",
+                   .source = "Filip, Vavra 2014, Template-based sampling of anisotropic BRDFs",
+                   .parameters = {{.key = "file",
+                                   .kind = ParameterKind::file,
+                                   .initial = "",
+                                   .meaning = "a table of 3 * 288 * 288 numbers: x.bin"},
+                                  {.key = "encoding",
+                                   .kind = ParameterKind::choice,
+                                   .initial = "linear",
+                                   .choices = {"linear", "srgb"},
+                                   .meaning = "how the file's numbers stand for f_r"},
+                                  {.key = "scale",
+                                   .initial = 1.0,
+                                   .min = 0,
+                                   .max = 1000,
+                                   .meaning = "what f_r is multiplied by"}}},
+          .make = &make_utia};
 }
 
 Vec3<double> UtiaTable::direction(int theta, int phi) {
