@@ -1,5 +1,6 @@
 #include "models/ashikhmin_shirley.h"
 #include "models/catalogue.h"
+#include "models/lafortune.h"
 #include "models/oren_nayar.h"
 #include "models/oren_nayar_full.h"
 #include "models/ward.h"

@@ -81,6 +81,7 @@ Value parse_value(const Context& context, std::string_view text, const Parameter
     case ParameterKind::choice: return parse_choice(where, text, p);
     case ParameterKind::file: return parse_file(context, text, p);
     case ParameterKind::model: return make(without_parentheses(text), context).model;
+    case ParameterKind::group: return std::string(text);
   }
   return p.initial;
 }

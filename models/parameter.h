@@ -30,7 +30,8 @@ using Value = std::variant<double, Rgb<double>, Vec3<double>, std::string,
                            std::shared_ptr<const ReflectionModel>, std::shared_ptr<const Input>>;
 using Values = std::vector<std::pair<std::string, Value>>;  // by key, in the parameters' order
 
-enum class ParameterKind { number, colour, direction, choice, file, model };
+/// group: several key=value in parentheses, which the model itself reads.
+enum class ParameterKind { number, colour, direction, choice, file, model, group };
 
 /// One parameter, as `scanlit models` lists it.
 struct ParameterInfo {

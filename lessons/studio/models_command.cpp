@@ -10,8 +10,8 @@ namespace scanlit::studio {
 namespace {
 
 std::string kind_of(const models::ParameterInfo& parameter) {
-  static constexpr const char* words[] = {"number", "colour", "direction",
-                                          "choice", "file",   "model"};
+  static constexpr const char* words[] = {"number", "colour", "direction", "choice",
+                                          "file",   "model",  "group"};
   return words[int(parameter.kind)];
 }
 
