@@ -1,8 +1,9 @@
-// Finished wood: fibres below a clear coat. Light that enters the coat is scattered by the body of
-// the wood in all directions, and by the fibres into a cone about each: a broad highlight that lies
-// where the fibres point, and that travels over a board whose fibres wave.
+// Finished wood: fibres below a clear coat. Some light is mirrored by the coat. What enters it is
+// scattered by the body of the wood in all directions, and by the fibres into a cone about each: a
+// broad highlight that lies where the fibres point, and that travels over a board whose fibres
+// wave.
 //
-//   f = T(L) T(V) (kd / pi + kf g(beta, psi_h) / cos^2(psi_d / 2))
+//   f = ks D G F / (4 (N.L)(N.V)) + T(L) T(V) (kd / pi + kf g(beta, psi_h) / cos^2(psi_d / 2))
 //
 // Stephen R. Marschner, Stephen H. Westin, Adam Arbree, Jonathan T. Moon, "Measuring and modeling
 // the appearance of finished wood", SIGGRAPH 2005, section 4.
@@ -15,7 +16,9 @@
 //   psi_d  psi_v - psi_l
 //   g      normal distribution of standard deviation beta: exp(-psi_h^2 / (2 beta^2)) /
 //          (beta sqrt(2 pi)), in 1/rad
-//   T      1 - F(n.w), Fresnel's transmittance of the coat, index eta
+//   T      1 - F(N.W), Fresnel's transmittance of the coat, index eta
+//   D G F  the coat's rough surface: GGX of roughness a, Smith's G, Fresnel's F(V.H); which one the
+//          paper leaves open
 //   kd     albedo of the wood's body under the coat; the factor 1 / pi is this project's, the paper
 //          does not settle it
 //   kf     the fibres' colour times strength; no albedo: at psi_h = psi_d = 0 a model returns
@@ -30,6 +33,7 @@
 
 #include "models/formula.h"
 #include "models/fresnel.h"
+#include "models/microfacet/masking.h"
 
 namespace scanlit::models {
 
@@ -40,6 +44,8 @@ struct FinishedWood {
   Vec3<P> u{P(1), P(0), P(0)};  // unit
   P beta{0.17};
   P eta{1.5};
+  Rgb<P> ks{P(1.0)};
+  P a{0.15};
 
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c, const ShadingFrame<T>& f) const {
@@ -58,7 +64,17 @@ struct FinishedWood {
     const T t_v = one - dielectric_reflectance(c.n_v, n);
     const T through = t_l * t_v * c.n_l;
     return {.diffuse = kd * through,
-            .glossy = kf * (through * T(std::numbers::pi) * g / cos2_half_d)};
+            .glossy = kf * (through * T(std::numbers::pi) * g / cos2_half_d) + ks * coat(c, f)};
+  }
+
+  /// pi f (N.L) of the coat's surface.
+  template <class T>
+  T coat(const Cosines<T>& c, const ShadingFrame<T>& f) const {
+    const microfacet::Ggx<microfacet::Isotropic<P>> facets{{a}};
+    const T D = facets(c.n_h, f.h);
+    const T G = microfacet::smith_correlated(facets.lambda(c.n_l, f.l), facets.lambda(c.n_v, f.v));
+    const T F = dielectric_reflectance(c.v_h, T(eta));
+    return T(std::numbers::pi / 4) * D * G * F / c.n_v;
   }
 
   /// A direction inside the coat, seen from the fibre: the angle psi, its sine and cosine.
@@ -82,21 +98,24 @@ struct FinishedWood {
   }
 
   static Description<FinishedWood> describe() {
-    return {.name = "finished-wood",
-            .year = 2005,
-            .title = "Finished wood: fibres under a coat",
-            .source =
-                "Marschner, Westin, Arbree, Moon 2005, Measuring and modeling the appearance of "
-                "finished wood, SIGGRAPH, section 4",
-            .reciprocal = true,
-            .energy_bounded = false,
-            .parameters = {{"kd", &FinishedWood::kd, 0, 1, "albedo of the wood under the coat"},
-                           {"kf", &FinishedWood::kf, 0, 1, "strength of the fibres' highlight"},
-                           {"u", &FinishedWood::u, "axis of the fibres"},
-                           {"beta", &FinishedWood::beta, 0.05, 1,
-                            "width of the fibres' cone, a standard deviation in radians"},
-                           {"eta", &FinishedWood::eta, 1.05, 3, "refractive index of the coat"}},
-            .exceptions = "not bounded in energy for large kf"};
+    return {
+        .name = "finished-wood",
+        .year = 2005,
+        .title = "Finished wood: fibres under a coat",
+        .source =
+            "Marschner, Westin, Arbree, Moon 2005, Measuring and modeling the appearance of "
+            "finished wood, SIGGRAPH, section 4",
+        .reciprocal = true,
+        .energy_bounded = false,
+        .parameters = {{"kd", &FinishedWood::kd, 0, 1, "albedo of the wood under the coat"},
+                       {"kf", &FinishedWood::kf, 0, 1, "strength of the fibres' highlight"},
+                       {"u", &FinishedWood::u, "axis of the fibres"},
+                       {"beta", &FinishedWood::beta, 0.05, 1,
+                        "width of the fibres' cone, a standard deviation in radians"},
+                       {"eta", &FinishedWood::eta, 1.05, 3, "refractive index of the coat"},
+                       {"ks", &FinishedWood::ks, 0, 1, "factor of the coat's own reflection"},
+                       {"a", &FinishedWood::a, 0.01, 1, "roughness of the coat's surface (GGX)"}},
+        .exceptions = "not bounded in energy for large kf"};
   }
 };
 

@@ -46,7 +46,7 @@ double fibre_part(const glm::dvec3& l, const glm::dvec3& v, const glm::dvec3& u,
 
 models::FinishedWood<> wood(const glm::dvec3& u, double beta, double eta) {
   models::FinishedWood<> formula;
-  formula.kd = Rgb<double>(0.5), formula.kf = Rgb<double>(1.0);
+  formula.kd = Rgb<double>(0.5), formula.kf = Rgb<double>(1.0), formula.ks = Rgb<double>(0.0);
   formula.u = {u.x, u.y, u.z}, formula.beta = beta, formula.eta = eta;
   return formula;
 }
@@ -101,6 +101,19 @@ TEST(FinishedWood, AFibresConeIsAsBrightAllRound) {
     const glm::dvec3 v(0, std::sin(theta), std::cos(theta));
     const double t = transmittance(l.z, 1.5) * transmittance(v.z, 1.5);
     EXPECT_NEAR(in_double(model, l, v)[3], std::sqrt(pi / 2) / 0.17 * l.z * t, 1e-12);
+  }
+}
+
+TEST(FinishedWood, TheCoatIsTheMicrofacetTerm) {
+  const auto wood = models::make("finished-wood:kd=0,kf=0,ks=.7,a=.2,eta=1.4").model;
+  const auto facets =
+      models::make("torrance-sparrow:kd=0,ks=.7,D=ggx,a=.2,G=smith-correlated,F=dielectric,eta=1.4")
+          .model;
+  std::mt19937 random(3);
+  for (int round = 0; round < 1000; ++round) {
+    const glm::dvec3 l = above(random), v = above(random);
+    const double expected = in_double(*facets, l, v)[3];
+    EXPECT_NEAR(in_double(*wood, l, v)[3], expected, 1e-12 * (1 + expected));
   }
 }
 
