@@ -37,7 +37,8 @@ Material make_material(const MaterialDescription& description) {
   material.model = description.model.model;
   material.form = description.form;
   material.object_colour = description.object_colour;
-  material.tangents = description.tangents;
+  material.tangents =
+      description.tangents.value_or(description.model.tangents.value_or(Tangents{}));
   // What the model's diffuse part shows when lit and seen head-on: kd, where it has one.
   const Rgb<double> head_on = material.model->evaluate(Vec3<double>{0, 0, 1}, {0, 0, 1}).diffuse;
   material.ka = description.ka.value_or(head_on * ambient_share);

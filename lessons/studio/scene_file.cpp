@@ -61,10 +61,10 @@ void read_background(TomlTable table, Description& description) {
   table.refuse_unknown_keys();
 }
 
-Materials read_materials(TomlTable table) {
+Materials read_materials(TomlTable table, const std::filesystem::path& folder) {
   Materials materials;
   for (const std::string& name : table.keys())
-    materials[name] = read_material(*table.table(name.c_str(), "[material." + name + ']'));
+    materials[name] = read_material(*table.table(name.c_str(), "[material." + name + ']'), folder);
   return materials;
 }
 
@@ -77,7 +77,7 @@ Description read_root(TomlTable root, const std::filesystem::path& folder) {
   for (const TomlTable& table : root.tables("light"))
     description.lights.push_back(read_light(table));
   Materials materials;
-  if (auto table = root.table("material", "[material]")) materials = read_materials(*table);
+  if (auto table = root.table("material", "[material]")) materials = read_materials(*table, folder);
   for (const TomlTable& table : root.tables("object"))
     description.objects.push_back(read_object(table, materials, folder));
   root.refuse_unknown_keys();

@@ -4,36 +4,50 @@
 namespace scanlit::studio {
 namespace {
 
-/// models::make(), its errors placed at `key` of the table.
-models::NamedModel make_model(const TomlTable& table, const char* key,
-                              const std::string& specification) {
-  try {
-    return models::make(specification);
-  } catch (const Error& error) {
-    table.refuse(key, error.what());
-  }
+/// A value as a specification has it: .6/.3/.2, 80, ggx, image(cow.png), (lambert:kd=.5).
+std::string value_text(TomlTable& table, const std::string& key) {
+  const toml::node* node = table.node(key.c_str());
+  if (!node->is_string()) return text_of(*table.colour(key.c_str(), any_coordinate));
+  const std::string text = *table.text(key.c_str());
+  const bool is_model = models::split_outside_parentheses(text, ':').size() > 1;
+  return is_model ? '(' + text + ')' : text;
+}
+
+/// The key of the table that the message names, 'n', else `otherwise`.
+std::string key_of(const std::string& message, const TomlTable& table,
+                   const std::string& otherwise) {
+  std::string found = otherwise;
+  std::size_t first = message.size();
+  for (const std::string& key : table.keys())
+    if (const auto at = message.find('\'' + key + '\''); key != "name" && at < first)
+      first = at, found = key;
+  return found;
 }
 
 /// { name = "blinn-phong", kd = [.6, .3, .2], n = 80 }
-models::NamedModel model_from_table(TomlTable table) {
+models::NamedModel model_from_table(TomlTable table, const std::filesystem::path& folder) {
   const auto name = table.text("name");
   if (!name) throw Error(table.where(), "a model has a name: { name = \"blinn-phong\", ... }");
-  make_model(table, "name", *name);
   std::string specification = *name;
-  for (const std::string& key : table.keys()) {
-    if (key == "name") continue;
-    const std::string pair = key + '=' + text_of(*table.colour(key.c_str(), any_coordinate));
-    make_model(table, key.c_str(), *name + ':' + pair);  // alone, so that an error has its place
-    specification += (specification == *name ? ':' : ',') + pair;
+  for (const std::string& key : table.keys())
+    if (key != "name")
+      specification += (specification == *name ? ':' : ',') + key + '=' + value_text(table, key);
+  try {
+    return models::make(specification, folder);
+  } catch (const Error& error) {
+    table.refuse(key_of(error.what(), table, "name"), error.what());
   }
-  return make_model(table, "name", specification);
 }
 
-models::NamedModel read_model(TomlTable& material) {
+models::NamedModel read_model(TomlTable& material, const std::filesystem::path& folder) {
   const toml::node* value = material.node("model");
   if (!value) return models::make(default_model);
-  if (value->is_table()) return model_from_table(*material.table("model", "the model"));
-  return make_model(material, "model", *material.text("model"));
+  if (value->is_table()) return model_from_table(*material.table("model", "the model"), folder);
+  try {
+    return models::make(*material.text("model"), folder);
+  } catch (const Error& error) {
+    material.refuse("model", error.what());
+  }
 }
 
 /// { field = "around", axis = [0, 1, 0], centre = [0, 0, 0] }
@@ -64,9 +78,9 @@ std::optional<Tangents> read_tangents(TomlTable& material) {
 
 }  // namespace
 
-MaterialDescription read_material(TomlTable table) {
+MaterialDescription read_material(TomlTable table, const std::filesystem::path& folder) {
   MaterialDescription material;
-  material.model = read_model(table);
+  material.model = read_model(table, folder);
   material.ka = table.colour("ka", reflectance_range);
   const auto form = table.integer("form", {1, 2});
   const auto object_colour = table.colour("object_colour", reflectance_range);
@@ -74,7 +88,7 @@ MaterialDescription read_material(TomlTable table) {
     table.refuse("object_colour", "only form 2 has an object colour; in form 1 kd is it");
   if (form == 2 || object_colour) material.form = ColourForm::plastic;
   set(material.object_colour, object_colour);
-  set(material.tangents, read_tangents(table));
+  material.tangents = read_tangents(table);
   table.refuse_unknown_keys();
   return material;
 }

@@ -14,7 +14,7 @@ namespace scanlit::studio {
 using Materials = std::map<std::string, MaterialDescription>;
 
 Light read_light(TomlTable table);
-MaterialDescription read_material(TomlTable table);
+MaterialDescription read_material(TomlTable table, const std::filesystem::path& folder);
 ObjectDescription read_object(TomlTable table, const Materials& materials,
                               const std::filesystem::path& folder);
 
