@@ -126,9 +126,25 @@ void compare(const std::string& name, const std::shared_ptr<Setup>& setup, Scala
 
 /// Every model that is one formula, where it has choices the ones that differ in cost.
 const std::vector<std::string> specifications = {
-    "blinn-phong",
-    "phong",
     "lambert",
+    "phong",
+    "blinn-phong",
+    "blinn-phong:normalised=1",
+    "torrance-sparrow",
+    "cook-torrance",
+    "cook-torrance:F=conductor",
+    "cook-torrance:D=gaussian",
+    "cook-torrance:D=ggx,G=smith",
+    "cook-torrance:D=ggx,G=smith-correlated,F=schlick",
+    "cook-torrance:D=beckmann,G=smith",
+    "cook-torrance:D=ashikhmin-shirley",
+    "cook-torrance:D=anisotropic-beckmann",
+    "cook-torrance:D=anisotropic-ggx,G=smith",
+    "ward",
+    "oren-nayar",
+    "oren-nayar-full",
+    "ashikhmin-shirley",
+    "finished-wood",
 };
 const std::vector<std::string> lit_specifications = {"blinn-phong", "phong", "lambert"};
 

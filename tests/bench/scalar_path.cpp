@@ -4,9 +4,16 @@
 #include <map>
 #include <stdexcept>
 
+#include "models/ashikhmin_shirley.h"
 #include "models/blinn_phong.h"
+#include "models/cook_torrance.h"
+#include "models/finished_wood.h"
 #include "models/lambert.h"
+#include "models/oren_nayar.h"
+#include "models/oren_nayar_full.h"
 #include "models/phong.h"
+#include "models/torrance_sparrow.h"
+#include "models/ward.h"
 #include "rasterizer/formula_model.h"
 
 // Inlined whole: of a template's function that stays a call the linker might keep another file's
@@ -104,6 +111,13 @@ ScalarPath scalar_path(const std::string& specification) {
       {"lambert", &path_of<models::Lambert<>>},
       {"phong", &path_of<models::Phong<>>},
       {"blinn-phong", &path_of<models::BlinnPhong<>>},
+      {"torrance-sparrow", &path_of<models::TorranceSparrow<>>},
+      {"cook-torrance", &path_of<models::CookTorrance<>>},
+      {"ward", &path_of<models::Ward<>>},
+      {"oren-nayar", &path_of<models::OrenNayar<>>},
+      {"oren-nayar-full", &path_of<models::OrenNayarFull<>>},
+      {"ashikhmin-shirley", &path_of<models::AshikhminShirley<>>},
+      {"finished-wood", &path_of<models::FinishedWood<>>},
   };
   const auto path = paths.find(specification.substr(0, specification.find(':')));
   if (path == paths.end()) throw std::logic_error("no scalar path of " + specification);
