@@ -5,6 +5,7 @@
 
 #include "lessons/studio/commands.h"
 #include "lessons/studio/description.h"
+#include "lessons/studio/framing.h"
 #include "lessons/studio/program.h"
 #include "lessons/studio/reflect/sheet_layout.h"
 #include "lessons/studio/text.h"
@@ -26,11 +27,18 @@ struct Cell {
   models::NamedModel model;
 };
 
+/// Whether a model is nothing without a file of the user's.
+bool wants_file(const models::ModelInfo& info) {
+  return std::ranges::any_of(info.parameters, [](const models::ParameterInfo& p) {
+    return p.kind == models::ParameterKind::file;
+  });
+}
+
 std::vector<Cell> make_cells(const SheetOptions& options) {
   std::vector<std::string> specifications = options.models;
   if (specifications.empty())
     for (const models::ModelInfo& info : models::list())
-      if (info.kind == models::Kind::model)
+      if (info.kind == models::Kind::model && !wants_file(info))
         specifications.push_back(info.example.empty() ? info.name : info.example);
   std::vector<Cell> cells;
   for (const std::string& specification : specifications) {
@@ -60,6 +68,22 @@ Description describe(const SheetOptions& options, const std::vector<Cell>& cells
   return description;
 }
 
+/// Four lights, placed by eye: a metal shows nothing but its highlights, and two are few. Over the
+/// viewer's left shoulder, from the right, from behind, and from where the viewer is.
+std::vector<Light> sheet_lights(const Camera& camera) {
+  const glm::dmat3 axes = viewer_axes(camera);
+  const auto light = [&](const glm::dvec3& direction, double intensity, const Rgb<double>& colour) {
+    Light result;
+    result.direction = axes * direction;
+    result.intensity = intensity;
+    result.colour = colour;
+    return result;
+  };
+  return {light({-0.7, 0.7, 0.5}, 0.9, {1.0, 0.97, 0.92}),
+          light({0.9, 0.15, 0.35}, 0.22, {0.7, 0.83, 1.0}), light({0.35, 0.8, -0.6}, 0.4, Rgb(1.0)),
+          light({0.1, 0.25, 1.0}, 0.08, Rgb(1.0))};
+}
+
 /// The columns asked for, or about as many as make a sheet of 4:3.
 int columns_of(const SheetOptions& options, const Picture& cell, int cells) {
   if (!options.columns.empty())
@@ -81,7 +105,7 @@ Framebuffer draw_sheet(const Description& description, const std::vector<Cell>& 
   const Scene all = make_scene(description);
   const Camera camera = make_camera(description.view, all, double(cell.width) / cell.height);
   Scene scene = all;
-  scene.lights = make_lights(description, camera);
+  scene.lights = sheet_lights(camera);
   Framebuffer sheet = blank_picture(width, height, description.background);
   Framebuffer framebuffer(cell.width, cell.height);
   const auto font = label_font();

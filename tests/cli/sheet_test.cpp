@@ -29,7 +29,7 @@ TEST(Sheet, HasAsManyColumnsAsItIsTold) {
     const Framebuffer sheet = read_image(folder.path() / "s.exr");
     EXPECT_EQ(sheet.width / 60, across);
     EXPECT_GE(sheet.height, 40 * down);
-    EXPECT_LT(sheet.height, 90 * down);
+    EXPECT_LT(sheet.height, 100 * down);
   }
 }
 

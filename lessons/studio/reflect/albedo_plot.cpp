@@ -28,7 +28,7 @@ std::vector<Sample> albedo_over_angle(const ReflectionModel& model, double azimu
 }  // namespace
 
 std::string plot_albedo(const PlotRequest& request) {
-  std::vector<std::vector<std::vector<Sample>>> samples;
+  SampleTable samples;
   for (const models::NamedModel& named : request.models)
     samples.push_back({albedo_over_angle(*named.model, request.azimuth_deg)});
   const CurveSet set = make_curves(request.models, {}, samples);

@@ -43,7 +43,7 @@ std::string plot_cartesian(const PlotRequest& request) {
   svg.text({width / 2, 60}, remark, {.size = 14, .anchor = "middle", .formula = true});
   draw_legend(svg, {left, legend_top}, set.legend, width - left - right);
 
-  const std::string quantity = quantity_title(request.quantity);
+  const std::string quantity = quantity_title(request);
   draw_panel(svg, {left, top, panel_width, panel_height}, linear_axis(max, quantity), request);
   if (request.logarithmic)
     draw_panel(svg, {left + panel_width + gap, top, panel_width, panel_height},

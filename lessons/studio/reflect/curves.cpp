@@ -80,6 +80,48 @@ Curve curve_of(const std::vector<Sample>& samples, const Stroke& stroke,
   return curve;
 }
 
+bool any_colour(const SampleTable& samples) {
+  for (const auto& of_model : samples)
+    for (const auto& of_angle : of_model)
+      for (const auto& [angle, value] : of_angle)
+        if (value != Rgb<double>(value.r)) return true;
+  return false;
+}
+
+void add_channels(const std::vector<Sample>& samples, CurveSet& set) {
+  for (const Channel& c : channels) {
+    const Stroke look{c.colour, curve_width, c.dash};
+    set.curves.push_back(curve_of(samples, look, [&](auto& value) { return value.*c.value; }));
+    set.legend.push_back({c.name, look});
+  }
+}
+
+/// Colours tell models apart and dashes angles; where there is only one of either, both tell the
+/// others apart.
+void add_models(const std::vector<models::NamedModel>& models,
+                const std::vector<double>& light_angles_deg, const SampleTable& samples,
+                CurveSet& set) {
+  const std::size_t angles = light_angles_deg.size();
+  const auto look = [&](std::size_t m, std::size_t a) {
+    if (models.size() == 1) return stroke(a, a);
+    return stroke(m, angles > 1 ? a : m);
+  };
+  const auto grey = [&](const Rgb<double>& value) {
+    return set.of_colour ? luminance(value) : value.r;
+  };
+  for (std::size_t m = 0; m < models.size(); ++m) {
+    if (models.size() > 1) set.legend.push_back({models[m].specification, look(m, 0)});
+    for (std::size_t a = 0; a < samples[m].size(); ++a)
+      set.curves.push_back(curve_of(samples[m][a], look(m, a), grey));
+  }
+  if (models.size() > 1 && angles <= 1) return;
+  for (std::size_t a = 0; a < angles; ++a) {
+    Stroke angle_look = look(0, a);
+    if (models.size() > 1) angle_look.colour = "#555555";
+    set.legend.push_back({"θ_l = " + text_of(light_angles_deg[a]) + "°", angle_look, true});
+  }
+}
+
 }  // namespace
 
 std::vector<Sample> sample(const std::function<Rgb<double>(double)>& f, double low_deg,
@@ -100,46 +142,19 @@ std::vector<Sample> sample(const std::function<Rgb<double>(double)>& f, double l
 }
 
 CurveSet make_curves(const std::vector<models::NamedModel>& models,
-                     const std::vector<double>& light_angles_deg,
-                     const std::vector<std::vector<std::vector<Sample>>>& samples) {
+                     const std::vector<double>& light_angles_deg, const SampleTable& samples) {
   CurveSet set;
-  const std::size_t angles = light_angles_deg.size();
-  for (const auto& of_model : samples)
-    for (const auto& of_angle : of_model)
-      for (const auto& [angle, value] : of_angle) {
-        set.of_colour |= value != Rgb<double>(value.r);
-        for (const double c : {value.r, value.g, value.b}) {
-          set.max = std::max(set.max, c);
-          if (c > 0) set.least = std::min(set.least, c);
-        }
-      }
-  if (set.of_colour && models.size() == 1 && angles <= 1) {
-    set.channels_apart = true;
-    for (const Channel& c : channels) {
-      const Stroke look{c.colour, curve_width, c.dash};
-      set.curves.push_back(
-          curve_of(samples[0][0], look, [&](auto& value) { return value.*c.value; }));
-      set.legend.push_back({c.name, look});
+  set.of_colour = any_colour(samples);
+  set.channels_apart = set.of_colour && models.size() == 1 && light_angles_deg.size() <= 1;
+  if (set.channels_apart)
+    add_channels(samples[0][0], set);
+  else
+    add_models(models, light_angles_deg, samples, set);
+  for (const Curve& curve : set.curves)
+    for (const PlotPoint& p : curve.points) {
+      set.max = std::max(set.max, p.y);
+      if (p.y > 0) set.least = std::min(set.least, p.y);
     }
-    return set;
-  }
-  const auto grey = [&](const Rgb<double>& value) {
-    return set.of_colour ? luminance(value) : value.r;
-  };
-  const bool by_model = models.size() > 1;
-  const auto angle_label = [&](std::size_t a) {
-    return "θ_l = " + text_of(light_angles_deg[a]) + "°";
-  };
-  for (std::size_t m = 0; m < models.size(); ++m) {
-    if (by_model) set.legend.push_back({models[m].specification, stroke(m, angles > 1 ? 0 : m)});
-    for (std::size_t a = 0; a < samples[m].size(); ++a) {
-      const Stroke look = !by_model ? stroke(a, a) : angles > 1 ? stroke(m, a) : stroke(m, m);
-      set.curves.push_back(curve_of(samples[m][a], look, grey));
-      if (!by_model && angles > 0) set.legend.push_back({angle_label(a), look, true});
-    }
-  }
-  for (std::size_t a = 0; by_model && angles > 1 && a < angles; ++a)
-    set.legend.push_back({angle_label(a), {"#555555", curve_width, stroke(0, a).dash}, true});
   return set;
 }
 

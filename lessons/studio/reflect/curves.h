@@ -40,14 +40,15 @@ struct CurveSet {
   std::vector<Curve> curves;
   std::vector<LegendEntry> legend;
   bool of_colour = false, channels_apart = false;
-  double max = 0;      // of all values
+  double max = 0;      // of all curves' values
   double least = 1e9;  // of those above 0
 };
 
-/// Of samples[m][a], model m at angle a (light angles; one nameless one where there are none).
+/// [model][light angle]; one nameless angle where there is no light.
+using SampleTable = std::vector<std::vector<std::vector<Sample>>>;
+
 CurveSet make_curves(const std::vector<models::NamedModel>& models,
-                     const std::vector<double>& light_angles_deg,
-                     const std::vector<std::vector<std::vector<Sample>>>& samples);
+                     const std::vector<double>& light_angles_deg, const SampleTable& samples);
 
 /// Text that would be longer, with its middle left out.
 std::string elided(const std::string& text, std::size_t characters);

@@ -21,15 +21,15 @@ std::function<Rgb<double>(double)> lobe(const PlotRequest& request, const Reflec
 
 }  // namespace
 
-std::string quantity_title(Quantity quantity) {
-  return quantity == Quantity::value ? "I = π f_r (n·l)" : "f_r [1/sr]";
+std::string quantity_title(const PlotRequest& request) {
+  if (std::ranges::all_of(request.models, is_part)) return find_info(request.models[0])->title;
+  return request.quantity == Quantity::value ? "I = π f_r (n·l)" : "f_r [1/sr]";
 }
 
-std::vector<std::vector<std::vector<Sample>>> sample_lobes(
-    const PlotRequest& request, const std::function<double(double)>& drawn) {
+SampleTable sample_lobes(const PlotRequest& request, const std::function<double(double)>& drawn) {
   // At exactly 90 degrees the viewer is not above the horizon.
   constexpr double widest_deg = 89.99;
-  std::vector<std::vector<std::vector<Sample>>> samples;
+  SampleTable samples;
   for (const models::NamedModel& named : request.models) {
     auto& of_model = samples.emplace_back();
     for (const double light_deg : request.light_angles_deg)
@@ -40,18 +40,16 @@ std::vector<std::vector<std::vector<Sample>>> sample_lobes(
 }
 
 double largest_value(const PlotRequest& request) {
-  double largest = 0;
-  for (const auto& of_model : sample_lobes(request, [](double) { return 0.0; }))
-    for (const auto& of_angle : of_model)
-      for (const auto& [angle, value] : of_angle)
-        largest = std::max({largest, value.r, value.g, value.b});
-  return largest > 0 ? largest : 1;
+  const auto samples = sample_lobes(request, [](double) { return 0.0; });
+  const CurveSet set = make_curves(request.models, request.light_angles_deg, samples);
+  return set.max > 0 ? set.max : 1;
 }
 
 std::string heading(const PlotRequest& request, const std::string& what) {
-  return request.models.size() == 1
-             ? elided(request.models[0].specification, 70)
-             : what + " of " + std::to_string(request.models.size()) + " reflection models";
+  if (request.models.size() == 1) return elided(request.models[0].specification, 70);
+  const std::string number = std::to_string(request.models.size());
+  if (std::ranges::all_of(request.models, is_part)) return number + " parts of reflection models";
+  return what + " of " + number + " reflection models";
 }
 
 std::string remarks(const PlotRequest& request, const CurveSet& set) {

@@ -6,15 +6,14 @@
 
 namespace scanlit::studio {
 
-/// "I = π f_r (n·l)" or "f_r [1/sr]": what stands on the axis.
-std::string quantity_title(Quantity quantity);
+/// "I = π f_r (n·l)" or "f_r [1/sr]", or, of D, G or F, what it is: what stands on the axis.
+std::string quantity_title(const PlotRequest& request);
 
 /// samples[model][light angle] over viewing angles of -90 to 90 degrees: positive on the side of
 /// the mirror direction, negative on the light's.
-std::vector<std::vector<std::vector<Sample>>> sample_lobes(
-    const PlotRequest& request, const std::function<double(double)>& drawn);
+SampleTable sample_lobes(const PlotRequest& request, const std::function<double(double)>& drawn);
 
-/// The largest value of any lobe.
+/// The largest value of any curve; 1 where all are 0.
 double largest_value(const PlotRequest& request);
 
 /// What is plotted, for a title: "Lobe in the plane of incidence".

@@ -92,7 +92,7 @@ std::string plot_polar(const PlotRequest& request) {
   draw_legend(svg, {margin, top + 24}, set.legend, legend_width);
 
   const HalfDisc disc(svg, centre, ticks);
-  disc.draw_grid(quantity_title(request.quantity));
+  disc.draw_grid(quantity_title(request));
   for (const Curve& curve : set.curves) disc.draw_curve(curve);
   for (const double light_deg : request.light_angles_deg) disc.draw_light(light_deg);
   return svg.finish();

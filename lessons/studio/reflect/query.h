@@ -1,10 +1,13 @@
-// Asking a model one question at a time, in double: directions by angle, both parts in one.
+// Asking a model one question at a time, in double: directions by angle, both parts in one; and
+// what the registry knows of it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
-#include "rasterizer/reflection_model.h"
+#include "models/registry.h"
 
 namespace scanlit::studio {
 
@@ -26,5 +29,20 @@ inline Rgb<double> reflected(const ReflectionModel& model, const Vec3<double>& l
 
 /// Rec. 709, of linear light.
 inline double luminance(const Rgb<double>& c) { return 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b; }
+
+/// The registry's entry under this name; null where there is none.
+inline const models::ModelInfo* find_info(const std::string& name) {
+  const auto found = std::ranges::find(models::list(), name, &models::ModelInfo::name);
+  return found == models::list().end() ? nullptr : &*found;
+}
+inline const models::ModelInfo* find_info(const models::NamedModel& model) {
+  return find_info(models::parse_specification(model.specification).name);
+}
+
+/// D, G or F, which is looked at but reflects nothing.
+inline bool is_part(const models::NamedModel& model) {
+  const models::ModelInfo* info = find_info(model);
+  return info && info->kind == models::Kind::part;
+}
 
 }  // namespace scanlit::studio

@@ -38,10 +38,6 @@ std::string text_of_direction(const Vec3<double>& a) {
 
 double largest(const Rgb<double>& a) { return std::max({a.r, a.g, a.b}); }
 
-const models::ModelInfo& info_of(const std::string& name) {
-  return *std::ranges::find(models::list(), name, &models::ModelInfo::name);
-}
-
 /// D, G or F of a model that is made of them: the part of this name, with the model's arguments.
 class Part {
  public:
@@ -52,7 +48,7 @@ class Part {
                                  "' is not made of D, G and F; cook-torrance and torrance-sparrow "
                                  "are");
     std::string arguments;
-    for (const models::ParameterInfo& p : info_of(name).parameters) {
+    for (const models::ParameterInfo& p : find_info(name)->parameters) {
       const auto written = std::ranges::find(given.arguments, p.key, &models::Argument::key);
       std::string value;
       if (written != given.arguments.end())
@@ -99,7 +95,7 @@ std::string furnace_report(const models::NamedModel& model, const std::vector<do
 
 std::string reciprocity_report(const models::NamedModel& model) {
   const Violation worst = worst_violation(*model.model);
-  const models::ModelInfo& info = info_of(models::parse_specification(model.specification).name);
+  const models::ModelInfo* info = find_info(model);
   std::ostringstream out;
   out << "Reciprocity of " << model.specification << "\n\n";
   print_columns(out,
@@ -109,7 +105,9 @@ std::string reciprocity_report(const models::NamedModel& model) {
                  {"and v", text_of_direction(worst.v)},
                  {"f_r(l,v) [1/sr]", text_of(worst.forward)},
                  {"f_r(v,l) [1/sr]", text_of(worst.backward)},
-                 {"declared", info.reciprocal ? "reciprocal" : "not reciprocal"}},
+                 {"declared", !info              ? "nothing"
+                              : info->reciprocal ? "reciprocal"
+                                                 : "not reciprocal"}},
                 "  ");
   return out.str();
 }
