@@ -25,27 +25,30 @@ std::string initial_of(const models::ParameterInfo& parameter) {
 }
 
 std::string allowed_for(const models::ParameterInfo& parameter) {
-  std::string words;
-  for (const std::string& word : parameter.choices) words += (words.empty() ? "" : "|") + word;
-  if (parameter.kind == models::ParameterKind::number ||
-      parameter.kind == models::ParameterKind::colour)
-    return text_of(parameter.min) + " to " + text_of(parameter.max);
-  return words;
+  const bool has_range = parameter.kind == models::ParameterKind::number ||
+                         parameter.kind == models::ParameterKind::colour;
+  return has_range ? text_of(parameter.min) + " to " + text_of(parameter.max) : "";
+}
+
+/// What it means, the words of a choice, and where it has a meaning.
+std::string explanation_of(const models::ParameterInfo& parameter) {
+  std::string text = parameter.meaning;
+  for (const std::string& word : parameter.choices)
+    text += (word == parameter.choices.front() ? ": " : ", ") + word;
+  return text + (parameter.only_with.empty() ? "" : " (with " + parameter.only_with + ")");
 }
 
 void print_parameters(const models::ModelInfo& model) {
   std::vector<std::vector<std::string>> rows;
   for (const models::ParameterInfo& parameter : model.parameters)
-    rows.push_back(
-        {parameter.key, kind_of(parameter), initial_of(parameter), allowed_for(parameter),
-         parameter.meaning +
-             (parameter.only_with.empty() ? "" : " (with " + parameter.only_with + ")")});
+    rows.push_back({parameter.key, kind_of(parameter), initial_of(parameter),
+                    allowed_for(parameter), explanation_of(parameter)});
   print_columns(std::cout, rows, "    ");
 }
 
 void print_model(const models::ModelInfo& model) {
   std::cout << '\n' << model.name << ": " << model.title << '\n';
-  print_wrapped(std::cout, model.source, "  ");
+  if (!model.source.empty()) print_wrapped(std::cout, model.source, "  ");
   if (model.kind == models::Kind::model)
     print_wrapped(std::cout,
                   std::string(model.reciprocal ? "reciprocal, " : "not reciprocal, ") +
