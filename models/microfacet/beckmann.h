@@ -16,14 +16,15 @@
 namespace scanlit::models::microfacet {
 
 /// Smith's Lambda of a Beckmann surface, from (m tan(theta))^2; exact, in Batch to the error of
-/// erfc: 2e-7. (Widely used instead is the rational approximation of Walter et al. 2007, after
-/// eq. 26, off by up to .35 %.) With a = 1 / (m tan(theta)):
+/// erfc: 2e-7. (Widely used instead is the rational approximation of Walter et al. 2007,
+/// section 5.2, off by up to .35 %.) With a = 1 / (m tan(theta)):
 ///
 ///   (exp(-a^2) / (a sqrt(pi)) - erfc(a)) / 2
 template <class T>
 T beckmann_lambda(const T& projected_tan2) {
-  const T a = T(1) / sqrt(max(projected_tan2, T(1e-24)));  // along N: a is infinite, Lambda is 0
-  const T lambda = exp(-(a * a)) * T(std::numbers::inv_sqrtpi) / a - erfc(a);
+  const T m_tan = sqrt(max(projected_tan2, T(1e-24)));  // 0 along N, where a would be infinite
+  const T a = T(1) / m_tan;
+  const T lambda = exp(-(a * a)) * T(std::numbers::inv_sqrtpi) * m_tan - erfc(a);
   return max(T(0.5) * lambda, T(0));  // a difference of nearly equal numbers where a is large
 }
 

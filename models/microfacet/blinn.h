@@ -5,7 +5,8 @@
 //
 // James F. Blinn, "Models of light reflection for computer synthesized pictures", SIGGRAPH 1977.
 // Michael Ashikhmin, Peter Shirley, "An anisotropic Phong BRDF model", Journal of Graphics Tools
-// 5(2), 2000; normalised for D as in Pharr, Humphreys, "Physically Based Rendering", section 9.4.
+// 5(2), 2000; normalised as a D: Matt Pharr, Greg Humphreys, "Physically Based Rendering", 2004,
+// section 9.4.
 //
 // Smith's Lambda of them has no closed form. Beckmann's of equal width stands in, m = sqrt(2 /
 // (n+2)), as in Walter et al. 2007, section 5.2: m = 1 where n = 0.

@@ -3,7 +3,7 @@
 //   D = k exp(-(alpha / m)^2)
 //
 // K. E. Torrance, E. M. Sparrow, "Theory for off-specular reflection from roughened surfaces",
-// JOSA 57(9), 1967, eq. 6; k, free there, is such that facets cover the surface: the hemisphere
+// JOSA 57(9), 1967; k, free there, is such that facets cover the surface: the hemisphere
 // integral of D (N.H) is 1. Then k pi m^2 is 1 for a small m and grows to 1.83 for m = 1.
 //
 // Smith's Lambda of it has no closed form; Beckmann's of the same m stands in.
@@ -24,7 +24,7 @@ class Gaussian {
 
   template <class T>
   T operator()(const Cosine<T>& n_h, const Vec3<T>&) const {
-    return T(peak_) * exp(-(angle2(n_h) / T(m_ * m_)));
+    return T(peak_) * exp(-(angle2(n_h) * T(P(1.0) / (m_ * m_))));
   }
 
   template <class T>

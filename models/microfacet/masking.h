@@ -11,7 +11,7 @@
 //                      random rough surface", IEEE Trans. Antennas and Propagation 15(5), 1967
 //   smith-correlated   1 / (1 + Lambda(l) + Lambda(v))    high facets are seen by both: Heitz,
 //                      "Understanding the masking-shadowing function in microfacet-based BRDFs",
-//                      JCGT 3(2), 2014, eq. 99
+//                      JCGT 3(2), 2014
 //
 // Lambda belongs to D. V.H = L.H.
 #pragma once

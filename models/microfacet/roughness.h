@@ -29,7 +29,7 @@ struct Isotropic {
   /// (sin(alpha) / m)^2 of a facet. sin2() keeps its precision near N.
   template <class T>
   T scaled_sin2(const Cosine<T>& n_h, const Vec3<T>&) const {
-    return n_h.sin2() / T(m * m);
+    return n_h.sin2() * T(P(1.0) / (m * m));
   }
 
   /// (m tan(theta))^2 of the direction d to the light or viewer, theta = acos(n_d).
@@ -50,7 +50,7 @@ struct Anisotropic {
   /// the surface would be as frequent as those along N.
   template <class T>
   T scaled_sin2(const Cosine<T>& n_h, const Vec3<T>& h) const {
-    const T x = h.x / T(ax), y = h.y / T(ay);
+    const T x = h.x * T(P(1.0) / ax), y = h.y * T(P(1.0) / ay);
     return max(x * x + y * y, n_h.sin2());
   }
 

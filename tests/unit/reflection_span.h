@@ -59,6 +59,12 @@ class Span {
       out.glossy[c] = outputs_[3 + c].data();
     }
     if (needs.surface_point) in.points = &points;
+    std::vector<std::vector<float>> varying(needs.parameters,
+                                            std::vector<float>(inputs_[0].size()));
+    std::vector<float*> parameters;
+    for (auto& array : varying) parameters.push_back(array.data());
+    if (needs.parameters) model.evaluate_parameters(points, parameters.data());
+    in.parameters = parameters.data();
     model.evaluate(in, out);
     std::vector<std::array<float, 6>> result(size_);
     for (std::size_t i = 0; i < size_; ++i)
