@@ -215,8 +215,12 @@ class VaryingModel final : public ReflectionModel {
   /// A direction of object space, in place. One of no length becomes the tangent.
   static void into_shading_frame(const PointSpan& points, float* const* direction) {
     const auto& m = points.world_from_object;
+    // Only its direction matters; the squares of a very large or small object's would leave float.
+    float largest = 1e-30f;
+    for (const auto& column : m)
+      for (const float entry : column) largest = std::max(largest, std::abs(entry));
     for (std::size_t i = 0; i < points.size; i += Batch::lanes) {
-      const Vec3<Batch> d = load_vec3(direction, i);
+      const Vec3<Batch> d = load_vec3(direction, i) * Batch(1 / largest);
       const auto row = [&](int r) {
         return d.x * Batch(m[0][r]) + d.y * Batch(m[1][r]) + d.z * Batch(m[2][r]);
       };

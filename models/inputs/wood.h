@@ -110,7 +110,7 @@ struct WoodFibre : Trunk {
     const Vec3<T> trunk{T(axis.x), T(axis.y), T(axis.z)};
     const Vec3<T> tangential = cross(trunk, at.radial);
     // Waves keep step over a few wave lengths, across the trunk and along it.
-    const Vec3<T> at_wave = p.object_position * T(0.5 / wave);
+    const Vec3<T> at_wave = p.object_position * T(0.25 / wave);
     const T phase = at.along * T(2 * pi / wave) + T(4) * fractal_noise(at_wave, 2);
     const T strength = T(0.7) + T(0.6) * gradient_noise(at_wave * T(0.7));
     const T curl = T(curl_deg * pi / 180) * strength * sin(phase);
