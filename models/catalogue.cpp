@@ -9,6 +9,7 @@ namespace scanlit::models {
 
 void link_catalogue() {
   link_classics_catalogue();
+  link_composition_catalogue();
   link_microfacet_catalogue();
   link_measured_catalogue();
   link_wood_catalogue();

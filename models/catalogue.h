@@ -7,6 +7,7 @@ namespace scanlit::models {
 // Called so that the linker keeps the files.
 void link_catalogue();
 void link_classics_catalogue();
+void link_composition_catalogue();
 void link_microfacet_catalogue();
 void link_measured_catalogue();
 void link_wood_catalogue();

@@ -1,0 +1,143 @@
+#include "models/clear_coat.h"
+
+#include "models/scratch_span.h"
+
+namespace scanlit::models {
+
+// By what enters from outside: dw (N.L) = eta^2 dw' (N.L'), and T is the same from both sides, so
+// that 1 - F_int = (1 - F_ext) / eta^2. From outside F is smooth, while from inside it has a kink
+// at the critical angle, which would spoil the midpoint rule.
+double Coat::internal_reflectance() const {
+  constexpr int steps = 4096;  // error below 1e-7
+  double external = 0;
+  for (int i = 0; i < steps; ++i) {
+    const double cosine = (i + 0.5) / steps;
+    external += dielectric_reflectance(cosine, eta) * 2 * cosine / steps;
+  }
+  return 1 - (1 - external) / (eta * eta);
+}
+
+ClearCoat::ClearCoat(std::shared_ptr<const ReflectionModel> base, Coat coat)
+    : base_(std::move(base)), coat_(coat), internal_(coat.internal_reflectance()) {
+  varies_ = base_->needs().surface_point;
+  kd_ = base_->evaluate(Vec3<double>{0, 0, 1}, Vec3<double>{0, 0, 1}).diffuse;
+}
+
+template <class T>
+Rgb<T> ClearCoat::deepened(const Rgb<T>& diffuse, const Rgb<T>& kd) const {
+  const auto channel = [this](const T& value, const T& albedo) {
+    return value / (T(1) - T(internal_) * min(albedo, T(1)));
+  };
+  return {channel(diffuse.r, kd.r), channel(diffuse.g, kd.g), channel(diffuse.b, kd.b)};
+}
+
+namespace {
+
+void store_vec3(const Vec3<Batch>& v, ScratchArrays& to, std::size_t array, std::size_t i) {
+  v.x.store(to[array] + i), v.y.store(to[array + 1] + i), v.z.store(to[array + 2] + i);
+}
+void point_at(const float* (&to)[3], ScratchArrays& from, std::size_t array) {
+  for (std::size_t c = 0; c < 3; ++c) to[c] = from[array + c];
+}
+
+}  // namespace
+
+void ClearCoat::evaluate(const DirectionSpan& in, const ReflectionSpan& out) const {
+  ScratchArrays inside(in.size, 6);
+  for (std::size_t i = 0; i < in.size; i += Batch::lanes) {
+    const Vec3<Batch> n = load_vec3(in.normal, i), l = load_vec3(in.to_light, i),
+                      v = load_vec3(in.to_viewer, i);
+    const Cosines<Batch> c = cosines(n, l, v);
+    store_vec3(coat_.refracted(l, n, coat_.refracted_cosine(c.n_l)), inside, 0, i);
+    store_vec3(coat_.refracted(v, n, coat_.refracted_cosine(c.n_v)), inside, 3, i);
+  }
+  DirectionSpan refracted = in;
+  point_at(refracted.to_light, inside, 0), point_at(refracted.to_viewer, inside, 3);
+  base_->evaluate(refracted, out);
+
+  ScratchReflection head_on(varies_ ? in.size : 0);
+  if (varies_) {
+    for (int c = 0; c < 3; ++c) refracted.to_light[c] = refracted.to_viewer[c] = in.normal[c];
+    base_->evaluate(refracted, head_on.span);
+  }
+  for (std::size_t i = 0; i < in.size; i += Batch::lanes) {
+    const Cosines<Batch> c =
+        cosines(load_vec3(in.normal, i), load_vec3(in.to_light, i), load_vec3(in.to_viewer, i));
+    const Batch share = coat_.transmitted(c, coat_.refracted_cosine(c.n_l));
+    const Rgb<Batch> kd = varies_ ? load_rgb(head_on.span.diffuse, i)
+                                  : Rgb<Batch>{Batch(kd_.r), Batch(kd_.g), Batch(kd_.b)};
+    const Batch mirrored = select(c.n_l > Batch(0), coat_.glossy(c), Batch(0));
+    store(Reflection<Batch>{deepened(load_rgb(out.diffuse, i), kd) * share,
+                            load_rgb(out.glossy, i) * share + Rgb<Batch>(mirrored)},
+          out, i);
+  }
+}
+
+template <class T>
+Reflection<T> ClearCoat::query(const Vec3<T>& l, const Vec3<T>& v,
+                               const SurfacePoint<T>& point) const {
+  if (!(l.z > 0) || !(v.z > 0)) return {};
+  const Vec3<T> n{T(0), T(0), T(1)};
+  const Cosines<T> c = cosines(n, l, v);
+  const T n_l = coat_.refracted_cosine(c.n_l);
+  const Reflection<T> base = base_->evaluate(
+      coat_.refracted(l, n, n_l), coat_.refracted(v, n, coat_.refracted_cosine(c.n_v)), point);
+  const Rgb<T> kd = varies_ ? base_->evaluate(n, n, point).diffuse : kd_ * T(1);
+  const T share = coat_.transmitted(c, n_l);
+  return {deepened(base.diffuse, kd) * share, base.glossy * share + Rgb<T>(coat_.glossy(c))};
+}
+
+Reflection<double> ClearCoat::evaluate(const Vec3<double>& l, const Vec3<double>& v,
+                                       const SurfacePoint<double>& point) const {
+  return query(l, v, point);
+}
+Reflection<float> ClearCoat::evaluate(const Vec3<float>& l, const Vec3<float>& v,
+                                      const SurfacePoint<float>& point) const {
+  return query(l, v, point);
+}
+
+namespace {
+
+constexpr const char* default_base = "(lambert:kd=.7/.1/.05)";
+
+NamedModel make_clear_coat(const ModelInfo& info, std::span<const Argument> arguments,
+                           const Context& context) {
+  Values values = read_values(context, info.parameters, arguments);
+  const Value& base = value_of(values, "base");
+  const auto* given = std::get_if<std::shared_ptr<const ReflectionModel>>(&base);
+  auto model = std::make_shared<ClearCoat>(
+      given ? *given : make(without_parentheses(default_base), context).model,
+      Coat{std::get<double>(value_of(values, "eta")), std::get<double>(value_of(values, "a"))});
+  return {
+      .specification = {}, .model = std::move(model), .values = std::move(values), .tangents = {}};
+}
+
+}  // namespace
+
+Entry clear_coat_entry() {
+  return {.info = {.year = 2007,
+                   .name = "clear-coat",
+                   .title = "A clear coat over any model",
+                   .source = "Weidlich and Wilkie 2007, Arbitrarily layered micro-facet surfaces; "
+                             "Saunderson 1942, Calculation of the color of pigmented plastics",
+                   .reciprocal = true,
+                   .energy_bounded = true,
+                   .exceptions = "where its base is",
+                   .parameters = {{.key = "base",
+                                   .kind = ParameterKind::model,
+                                   .initial = std::string(default_base),
+                                   .meaning = "the model under the coat"},
+                                  {.key = "eta",
+                                   .initial = 1.5,
+                                   .min = 1,
+                                   .max = 3,
+                                   .meaning = "the coat's index of refraction"},
+                                  {.key = "a",
+                                   .initial = 0.05,
+                                   .min = 1e-3,
+                                   .max = 0.5,
+                                   .meaning = "roughness of its surface (GGX)"}}},
+          .make = &make_clear_coat};
+}
+
+}  // namespace scanlit::models
