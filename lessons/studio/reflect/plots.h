@@ -26,5 +26,9 @@ std::string plot_polar(const PlotRequest& request);
 std::string plot_cartesian(const PlotRequest& request);
 /// Directional albedo over the viewing angle, 0 to 90 degrees.
 std::string plot_albedo(const PlotRequest& request);
+/// A metal's Fresnel reflectance over wavelength, over the angle of incidence, and as a colour. Of
+/// the request only the one model and, for the curves over wavelength, the angles matter. Throws
+/// Error where the model has no metal's name.
+std::string plot_spectrum(const PlotRequest& request);
 
 }  // namespace scanlit::studio
