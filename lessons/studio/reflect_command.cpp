@@ -59,7 +59,8 @@ void add_options(CLI::App& app, ReflectOptions& o) {
       ->type_name("[FILE]")
       ->expected(0, 1)
       ->group(what);
-  app.add_option("--plot", o.plot, "polar, cartesian, albedo (.svg); sphere, slice (a picture)")
+  app.add_option("--plot", o.plot,
+                 "polar, cartesian, albedo, spectrum (.svg); sphere, slice (a picture)")
       ->type_name("KIND")
       ->group(what);
   app.add_flag("--terms", o.terms, "print D, G and F of a microfacet model")->group(what);
@@ -103,15 +104,16 @@ Command add_reflect_command(CLI::App& program) {
       "  scanlit reflect blinn-phong:ks=.4,n=50 --values directions.csv --precision batch\n"
       "  scanlit reflect phong:n=20 blinn-phong:n=80 --plot polar --angles 45 -o lobes.svg\n"
       "  scanlit reflect phong:n=20 blinn-phong:n=80 --plot sphere -o spheres.png\n"
+      "  scanlit reflect fresnel:F=copper --plot spectrum -o copper.svg\n"
       "  scanlit reflect lambert:kd=.8 --furnace\n"
       "\n"
-      "Directions leave the surface, in the shading frame (z is the normal, x the tangent), with "
-      "a\n"
-      "length of 1 to 0.00001; a header line may name the columns. Answers are r,g,b, a row each.\n"
-      "Polar and cartesian plots lie in the plane of incidence; the axis is pi f_r (n.l), what is\n"
-      "reflected of a light of intensity 1, or f_r in 1/sr. A sphere's light is so many degrees "
-      "from\n"
-      "the viewer's direction, towards the upper left. A slice is pi f_r at phi_d = 90 degrees.");
+      "Directions leave the surface, in the shading frame (z is the normal, x the tangent), of\n"
+      "length 1 to 0.00001; a header line may name the columns. Answers are r,g,b, a row each.\n"
+      "Polar and cartesian plots lie in the plane of incidence; the axis is pi f_r (n.l), what\n"
+      "is reflected of a light of intensity 1, or f_r in 1/sr. A sphere's light is so many\n"
+      "degrees from the viewer's direction, towards the upper left. A slice is pi f_r at\n"
+      "phi_d = 90 degrees.\n"
+      "A spectrum is that of a metal: its F over wavelength and angle, and the colour of that.");
   const auto options = std::make_shared<ReflectOptions>();
   options->app = app;
   add_options(*app, *options);

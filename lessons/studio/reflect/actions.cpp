@@ -7,6 +7,7 @@
 #include "lessons/studio/program.h"
 #include "lessons/studio/reflect/pictures.h"
 #include "lessons/studio/reflect/plots.h"
+#include "lessons/studio/reflect/query.h"
 #include "lessons/studio/reflect/reports.h"
 #include "lessons/studio/reflect/values.h"
 #include "lessons/studio/text.h"
@@ -24,8 +25,10 @@ constexpr Range cell_range{16, 4096};
 
 std::vector<models::NamedModel> make_models(const ReflectOptions& options) {
   std::vector<models::NamedModel> result;
-  for (const std::string& specification : options.models)
+  for (const std::string& specification : options.models) {
     result.push_back(models::make(specification));
+    result.back().specification = specification;  // a material's name, not what it stands for
+  }
   return result;
 }
 
@@ -33,6 +36,18 @@ models::NamedModel make_only_model(const ReflectOptions& options, const std::str
   if (options.models.size() != 1)
     throw Error(action, "wants one model, not " + std::to_string(options.models.size()));
   return models::make(options.models[0]);
+}
+
+/// Throws Error for D, G or F.
+void require_reflection(const models::NamedModel& model, const std::string& action) {
+  if (is_part(model))
+    throw Error(action, "'" + model.specification + "' is a part of models and reflects nothing");
+}
+
+models::NamedModel make_only_reflection(const ReflectOptions& options, const std::string& action) {
+  const models::NamedModel model = make_only_model(options, action);
+  require_reflection(model, action);
+  return model;
 }
 
 std::vector<double> angles_of(const ReflectOptions& options, std::vector<double> otherwise,
@@ -69,12 +84,15 @@ void require_output(const ReflectOptions& options, const std::string& action) {
 using PlotText = std::string (*)(const PlotRequest&);
 using DrawPicture = Framebuffer (*)(const PictureRequest&);
 
-void write_plot(const ReflectOptions& options, PlotText plot) {
+void write_plot(const ReflectOptions& options, PlotText plot,
+                const std::vector<double>& usual_angles_deg = {30, 60}) {
   if (std::filesystem::path(options.output).extension() != ".svg")
     throw Error(options.output, "a " + options.plot + " plot is an .svg file");
   PlotRequest request;
   request.models = make_models(options);
-  request.light_angles_deg = angles_of(options, {30, 60}, incidence_range_deg);
+  for (const models::NamedModel& model : request.models)
+    if (options.plot == "albedo") require_reflection(model, "--plot");
+  request.light_angles_deg = angles_of(options, usual_angles_deg, incidence_range_deg);
   request.azimuth_deg = azimuth_of(options);
   request.logarithmic = options.logarithmic;
   const Choices<Quantity> quantities{{"value", Quantity::value}, {"brdf", Quantity::brdf}};
@@ -82,6 +100,12 @@ void write_plot(const ReflectOptions& options, PlotText plot) {
   OutputFile{options.output};  // nobody waits for a plot that has nowhere to go
   write_text(plot(request), options.output);
   std::cout << options.output << ": " << options.plot << " plot\n";
+}
+
+void write_spectrum(const ReflectOptions& options) {
+  for (const char* option : {"--azimuth", "--quantity", "--log", "--cell", "--exposure"})
+    if (options.given(option)) throw Error(option, "has no meaning to a spectrum plot");
+  write_plot(options, plot_spectrum, {0, 30, 60, 75, 85, 89});
 }
 
 void write_picture(const ReflectOptions& options, DrawPicture draw) {
@@ -95,7 +119,10 @@ void write_picture(const ReflectOptions& options, DrawPicture draw) {
     image.exposure_ev = parse_number("--exposure", options.exposure, exposure_range_ev);
   const Framebuffer picture = draw(request);
   const HoldInterrupts until_written;
-  write_image(options.output, picture, image);
+  const ImageReport report = write_image(options.output, picture, image);
+  if (report.clipped_pixels > 0)
+    note(grouped(report.clipped_pixels) +
+         " pixels are too bright and were clipped; a lower --exposure shows them");
   std::cout << options.output << ": " << picture.width << " x " << picture.height << " pixels\n";
 }
 
@@ -119,12 +146,13 @@ void print_values(const ReflectOptions& options) {
 
 void print_furnace(const ReflectOptions& options) {
   const auto angles = angles_of(options, {0, 30, 60, 75, 85, 89}, incidence_range_deg);
-  write_text(furnace_report(make_only_model(options, "--furnace"), angles, azimuth_of(options)),
-             options.output);
+  write_text(
+      furnace_report(make_only_reflection(options, "--furnace"), angles, azimuth_of(options)),
+      options.output);
 }
 
 void print_reciprocity(const ReflectOptions& options) {
-  write_text(reciprocity_report(make_only_model(options, "--reciprocity")), options.output);
+  write_text(reciprocity_report(make_only_reflection(options, "--reciprocity")), options.output);
 }
 
 void print_terms(const ReflectOptions& options) {
@@ -139,6 +167,7 @@ void plot(const ReflectOptions& options) {
       {"polar", [](auto& o) { write_plot(o, plot_polar); }},
       {"cartesian", [](auto& o) { write_plot(o, plot_cartesian); }},
       {"albedo", [](auto& o) { write_plot(o, plot_albedo); }},
+      {"spectrum", write_spectrum},
       {"sphere", [](auto& o) { write_picture(o, draw_spheres); }},
       {"slice", [](auto& o) { write_picture(o, draw_slices); }},
   };
@@ -152,7 +181,7 @@ void write_table(const ReflectOptions& options) {
   const Choices<Tabulate> formats{{"merl", models::tabulate_merl}, {"utia", models::tabulate_utia}};
   const Tabulate tabulate = choose("--tabulate", "format", options.table, formats);
   require_output(options, "--tabulate");
-  const models::NamedModel model = make_only_model(options, "--tabulate");
+  const models::NamedModel model = make_only_reflection(options, "--tabulate");
   const HoldInterrupts until_written;
   tabulate(*model.model, options.output);
   std::cout << options.output << ": " << options.table << " table\n";
