@@ -25,10 +25,8 @@ constexpr Range cell_range{16, 4096};
 
 std::vector<models::NamedModel> make_models(const ReflectOptions& options) {
   std::vector<models::NamedModel> result;
-  for (const std::string& specification : options.models) {
+  for (const std::string& specification : options.models)
     result.push_back(models::make(specification));
-    result.back().specification = specification;  // a material's name, not what it stands for
-  }
   return result;
 }
 
