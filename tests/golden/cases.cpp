@@ -1,73 +1,13 @@
-// What the golden images show. Every case is small, and says what it would catch.
+// What the golden images show. Every case is small, and says what it would catch. One picture of
+// each reflection model besides: model_cases.cpp.
 #include <cstdlib>
-#include <glm/gtc/matrix_transform.hpp>
-#include <memory>
 
-#include "models/registry.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image.h"
-#include "rasterizer/render.h"
-#include "rasterizer/shapes.h"
-#include "tests/golden/golden.h"
+#include "tests/golden/scenes.h"
 
 namespace scanlit::golden {
 namespace {
-
-constexpr int width = 160, height = 120;
-
-// A reference is exact to 1 part in 65,536 (its floats are shortened), and shading rounds
-// differently with the vector width: up to 2e-5 of a highlight's peak. The eye sees 4e-3.
-const Tolerance rounding{1e-4f, 1e-4f, 0, "shading rounds differently on each instruction set"};
-
-Object object(const char* shape, const char* model, Shading shading = Shading::phong) {
-  Object result;
-  result.mesh = std::make_shared<Mesh>(make_shape(shape));
-  result.material.model = models::make(model).model;
-  result.shading = shading;
-  result.name = shape;
-  return result;
-}
-
-Object placed(Object result, const glm::vec3& position, float scale) {
-  result.world_from_object = glm::scale(glm::translate(glm::mat4(1), position), glm::vec3(scale));
-  return result;
-}
-
-Light directional(const glm::dvec3& towards_light, double intensity = 0.8) {
-  Light light;
-  light.direction = towards_light;
-  light.intensity = intensity;
-  return light;
-}
-
-// Lit from above, on the viewer's left, with a weaker warm light from the right.
-Scene scene(std::vector<Object> objects) {
-  Scene result;
-  result.objects = std::move(objects);
-  result.ambient = Rgb<double>(0.5);
-  result.lights = {directional({-1, 1.5, 2}), directional({2, 0.2, 1}, 0.3)};
-  result.lights[1].colour = {1, 0.7, 0.4};
-  return result;
-}
-
-struct Shot {
-  Camera camera{.eye = {1.2, 1.4, 3}};
-  double framing = 1;  // times the size at which the scene just fits; 0: the camera as it is
-  RenderSettings settings;
-  Planes planes;
-};
-
-Framebuffer draw(const Scene& scene, const Shot& shot = {}) {
-  Framebuffer framebuffer(width, height, shot.planes);
-  Camera camera = shot.camera;
-  if (shot.framing > 0) {
-    camera = framed(camera, bounding_sphere(scene), double(width) / height);
-    camera.fov_deg /= shot.framing;
-    camera.height /= shot.framing;
-  }
-  render(scene, camera, shot.settings, framebuffer);
-  return framebuffer;
-}
 
 constexpr const char* porcelain = "blinn-phong:kd=.15/.35/.6,ks=.4,n=50";
 
@@ -75,8 +15,6 @@ Framebuffer teapot(Shading shading, Shot shot = {}) {
   shot.framing = 1.4;
   return draw(scene({object("teapot:6", porcelain, shading)}), shot);
 }
-
-Framebuffer sphere(const char* model) { return draw(scene({object("sphere:24", model)})); }
 
 // What the vertices and edges decide, which is the same to the bit on every processor.
 constexpr Planes exact{.depth = true, .ids = true};
@@ -204,16 +142,11 @@ Framebuffer lesson(const std::string& name, const std::string& size) {
   return read_image(picture);
 }
 
-}  // namespace
-
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all = {
+std::vector<Case> all_cases() {
+  std::vector<Case> all = {
       {"teapot_flat", rounding, [] { return teapot(Shading::flat); }},
       {"teapot_gouraud", rounding, [] { return teapot(Shading::gouraud); }},
       {"teapot_phong", rounding, [] { return teapot(Shading::phong); }},
-      {"sphere_lambert", rounding, [] { return sphere("lambert:kd=.15/.35/.6"); }},
-      {"sphere_phong", rounding, [] { return sphere("phong:kd=.15/.35/.6,ks=.4,n=20"); }},
-      {"sphere_blinn_phong", rounding, [] { return sphere(porcelain); }},
       {"samples_4", rounding, [] { return teapot_with_samples(4); }},
       {"samples_8", rounding, [] { return teapot_with_samples(8); }},
       {"samples_16", rounding, [] { return teapot_with_samples(16); }},
@@ -231,6 +164,14 @@ const std::vector<Case>& cases() {
       {"intersecting_objects", rounding, intersecting_objects},
       {"lesson_01", rounding, [] { return lesson("01_three_shadings", "360x100"); }},
   };
+  for (Case& model_case : model_cases()) all.push_back(std::move(model_case));
+  return all;
+}
+
+}  // namespace
+
+const std::vector<Case>& cases() {
+  static const std::vector<Case> all = all_cases();
   return all;
 }
 
