@@ -9,7 +9,9 @@
 // section 9.4.
 //
 // Smith's Lambda of them has no closed form. Beckmann's of equal width stands in, m = sqrt(2 /
-// (n+2)), as in Walter et al. 2007, section 5.2: m = 1 where n = 0.
+// (n+2)), as in Walter et al. 2007, section 5.2: m = 1 where n = 0. It hides too few of the facets
+// of a broad lobe from grazing light: with smith-correlated and F = 1 the albedo at 89.8 degrees is
+// 1.74 for n = 0, 1.03 for n = 20, 1.002 for n = 100.
 #pragma once
 
 #include <numbers>

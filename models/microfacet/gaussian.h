@@ -6,7 +6,8 @@
 // JOSA 57(9), 1967; k, free there, is such that facets cover the surface: the hemisphere
 // integral of D (N.H) is 1. Then k pi m^2 is 1 for a small m and grows to 1.83 for m = 1.
 //
-// Smith's Lambda of it has no closed form; Beckmann's of the same m stands in.
+// Smith's Lambda of it has no closed form; Beckmann's of the same m stands in. With
+// smith-correlated and F = 1 the albedo at 89.8 degrees is 1.06 for m = 1, 1.01 for m = .3.
 #pragma once
 
 #include <numbers>

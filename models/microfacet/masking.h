@@ -1,19 +1,16 @@
 // G(l, v): the share of the facets that mirror from l to v that both the light and the viewer see.
 //
 //   none               1
-//   vcavity            min(1, 2 (N.H)(N.V) / (V.H), 2 (N.H)(N.L) / (V.H))    facets are the sides
-//   of
-//                      long symmetrical V-shaped grooves: Torrance and Sparrow 1967; in this form
-//                      Blinn 1977
-//   smith              1 / ((1 + Lambda(l)) (1 + Lambda(v)))    heights and slopes independent,
-//   seen
-//                      by light and viewer independently: B. G. Smith, "Geometrical shadowing of a
-//                      random rough surface", IEEE Trans. Antennas and Propagation 15(5), 1967
-//   smith-correlated   1 / (1 + Lambda(l) + Lambda(v))    high facets are seen by both: Heitz,
-//                      "Understanding the masking-shadowing function in microfacet-based BRDFs",
-//                      JCGT 3(2), 2014
+//   vcavity            min(1, 2 (N.H)(N.V) / (V.H), 2 (N.H)(N.L) / (V.H))
+//   smith              1 / ((1 + Lambda(l)) (1 + Lambda(v)))
+//   smith-correlated   1 / (1 + Lambda(l) + Lambda(v))
 //
-// Lambda belongs to D. V.H = L.H.
+// V.H = L.H. V-cavity: facets are the sides of long symmetrical grooves; Torrance and Sparrow 1967,
+// in this form Blinn 1977. Smith: heights and slopes of facets are independent, Lambda follows from
+// D; B. G. Smith, "Geometrical shadowing of a random rough surface", IEEE Transactions on Antennas
+// and Propagation 15(5), 1967. That takes what the light sees as independent of what the viewer
+// sees, too; correlated, high facets are seen by both: Eric Heitz, "Understanding the
+// masking-shadowing function in microfacet-based BRDFs", JCGT 3(2), 2014.
 #pragma once
 
 #include "models/microfacet/distribution.h"
