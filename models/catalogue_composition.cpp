@@ -1,5 +1,6 @@
 #include "models/catalogue.h"
 #include "models/clear_coat.h"
+#include "models/materials.h"
 #include "models/sum.h"
 
 namespace scanlit::models {

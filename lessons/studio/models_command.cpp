@@ -4,6 +4,7 @@
 #include "lessons/studio/commands.h"
 #include "lessons/studio/table.h"
 #include "lessons/studio/text.h"
+#include "models/materials.h"
 #include "models/registry.h"
 
 namespace scanlit::studio {
@@ -58,6 +59,15 @@ void print_model(const models::ModelInfo& model) {
   print_parameters(model);
 }
 
+void print_materials() {
+  std::cout
+      << "\nMaterials: material:NAME is the model after it; material:NAME,key=value changes one.\n";
+  for (const models::NamedMaterial& material : models::materials()) {
+    std::cout << '\n' << material.name << ": " << material.source << '\n';
+    print_wrapped(std::cout, material.specification, "    ");
+  }
+}
+
 void list_models() {
   std::cout << "Reflection models, with each parameter's kind, default, range and meaning.\n";
   for (const models::ModelInfo& model : models::list())
@@ -68,6 +78,7 @@ void list_models() {
   std::cout
       << "\nInputs: what a number, colour or direction may be that varies over the surface.\n";
   for (const models::ModelInfo& input : models::list_inputs()) print_model(input);
+  print_materials();
   std::cout << "\nA colour is r/g/b, linear, or one number for grey. Example:\n"
                "  scanlit render teapot --model blinn-phong:kd=.6/.3/.2,n=50\n";
 }
