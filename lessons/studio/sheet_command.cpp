@@ -9,6 +9,7 @@
 #include "lessons/studio/program.h"
 #include "lessons/studio/reflect/sheet_layout.h"
 #include "lessons/studio/text.h"
+#include "models/materials.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image.h"
 
@@ -27,22 +28,14 @@ struct Cell {
   models::NamedModel model;
 };
 
-/// Whether a model is nothing without a file of the user's.
-bool wants_file(const models::ModelInfo& info) {
-  return std::ranges::any_of(info.parameters, [](const models::ParameterInfo& p) {
-    return p.kind == models::ParameterKind::file;
-  });
-}
-
 std::vector<Cell> make_cells(const SheetOptions& options) {
+  const std::string prefix = "material:";
   std::vector<std::string> specifications = options.models;
   if (specifications.empty())
-    for (const models::ModelInfo& info : models::list())
-      if (info.kind == models::Kind::model && !wants_file(info))
-        specifications.push_back(info.example.empty() ? info.name : info.example);
+    for (const models::NamedMaterial& material : models::materials())
+      specifications.push_back(prefix + material.name);
   std::vector<Cell> cells;
   for (const std::string& specification : specifications) {
-    const std::string prefix = "material:";
     const bool named = specification.starts_with(prefix);
     cells.push_back(
         {named ? specification.substr(prefix.size()) : specification, models::make(specification)});
