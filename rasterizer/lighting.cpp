@@ -128,13 +128,34 @@ void accumulate(const SurfaceSpan& surface, const Directions& d, const LitSpan& 
   }
 }
 
+/// What an ambient reflectance is multiplied by: Ia, or in form 2 its mean and the object's colour.
+Rgb<double> ambient_light(const Scene& scene, const Material& material) {
+  const Rgb<double>& a = scene.ambient;
+  return material.form == ColourForm::tinted ? a : material.object_colour * ((a.r + a.g + a.b) / 3);
+}
+
+/// The ambient term of every point.
+void ambient(const Scene& scene, const Material& material, DirectionSpan in,
+             const ReflectionSpan& head_on, LitSpan& lit) {
+  const Rgb<float> constant = ambient_radiance(scene, material);
+  const float constants[3] = {constant.r, constant.g, constant.b};
+  for (int c = 0; c < 3; ++c) std::ranges::fill(lit.ambient[c], constants[c]);
+  if (material.ambient_share == 0) return;
+
+  for (int c = 0; c < 3; ++c) in.to_light[c] = in.to_viewer[c] = in.normal[c];
+  material.model->evaluate(in, head_on);
+  const Rgb<double> light = ambient_light(scene, material) * material.ambient_share;
+  const Batch lights[3] = {light.r, light.g, light.b};
+  for (int c = 0; c < 3; ++c)
+    for (std::size_t i = 0; i < in.size; i += Batch::lanes)
+      mul_add(lights[c], Batch::load(head_on.diffuse[c] + i), constants[c])
+          .store(lit.ambient[c] + i);
+}
+
 }  // namespace
 
 Rgb<float> ambient_radiance(const Scene& scene, const Material& material) {
-  const Rgb<double>& a = scene.ambient;
-  const Rgb<double> radiance = material.form == ColourForm::tinted
-                                   ? material.ka * a
-                                   : material.ka * material.object_colour * ((a.r + a.g + a.b) / 3);
+  const Rgb<double> radiance = material.ka * ambient_light(scene, material);
   return {float(radiance.r), float(radiance.g), float(radiance.b)};
 }
 
@@ -171,6 +192,7 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
     material.model->evaluate_parameters(points, parameters.data());
     in.parameters = parameters.data();
   }
+  ambient(frame.scene, material, in, out, lit);
 
   for (const Light& source : frame.scene.lights) {
     if (source.kind == LightKind::directional)

@@ -6,14 +6,15 @@
 
 namespace scanlit {
 
-/// What the lights make of them: linear radiance, without the ambient term. Not initialised:
-/// clearing it would cost as much as a light.
+/// What the lights make of them: linear radiance. Not initialised: clearing it would cost as much
+/// as a light.
 struct LitSpan {
+  float ambient[3][SurfaceSpan::padded];
   float diffuse[3][SurfaceSpan::padded];
   float glossy[3][SurfaceSpan::padded];
 };
 
-/// Ka Ia in the material's colour form: the same for every point of an object.
+/// Ka Ia in the material's colour form: the ambient term, where no share of the model is added.
 Rgb<float> ambient_radiance(const Scene& scene, const Material& material);
 
 void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& lit,

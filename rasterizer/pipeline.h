@@ -181,8 +181,8 @@ struct Chunk {
 /// the colours it gave. A site is a face of a flat object, or a vertex of a Gouraud object (where
 /// back faces are drawn, vertex v seen from behind is site v + vertex count). Phong has none.
 struct LitSites {
-  static constexpr int colour = 0, diffuse = 3, glossy = 6;  // first channel of each
-  int channels = 3;  // colour alone, or with its diffuse and glossy parts
+  static constexpr int colour = 0, ambient = 3, diffuse = 6, glossy = 9;  // first channel of each
+  int channels = 3;  // colour alone, or with its parts
   static constexpr std::uint8_t from_front = 1, from_behind = 2;
   std::vector<std::uint8_t> needed;  // 0, or how a triangle that is drawn needs it; from_behind is
                                      // for faces only: their normal is flipped

@@ -32,6 +32,8 @@ void validate(const Object& object, const std::string& where) {
   require(object.material.model != nullptr, where, "has no reflection model");
   require_colour(object.material.ka, where, "ka");
   require_colour(object.material.object_colour, where, "object colour");
+  const double share = object.material.ambient_share;
+  require(share >= 0 && share <= 1, where, "the ambient share must be 0 to 1");
   const Tangents& tangents = object.material.tangents;
   require(holds_float(tangents.axis) && tangents.axis != glm::vec3(0), where,
           "the tangents' axis must be finite, each coordinate at most 1e18, and not zero");

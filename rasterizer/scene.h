@@ -41,6 +41,9 @@ struct Tangents {
 struct Material {
   std::shared_ptr<const ReflectionModel> model;
   Rgb<double> ka{0.1};  // ambient reflectance
+  // To ka is added this share of the model's diffuse part, lit and seen head-on, at every point:
+  // where that varies over the surface, its ambient reflectance does, too.
+  double ambient_share = 0;  // 0..1
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1.0};  // form 2 only
   Tangents tangents{};

@@ -9,18 +9,18 @@ namespace {
 
 /// A lit site's colour, with its parts where sites have room for them. Clamped, if asked for, so
 /// that the parts still add up to the colour.
-void store_site(const LitSpan& lit, int i, const Rgb<float>& ambient, bool clamped, LitSites& sites,
-                std::size_t site) {
+void store_site(const LitSpan& lit, int i, bool clamped, LitSites& sites, std::size_t site) {
   float* value = &sites.values[site * std::size_t(sites.channels)];
-  const float ambients[3] = {ambient.r, ambient.g, ambient.b};
   for (int c = 0; c < 3; ++c) {
+    const float ambient = lit.ambient[c][i];
     float diffuse = lit.diffuse[c][i], glossy = lit.glossy[c][i];
     if (clamped) {
-      diffuse = min(diffuse, max(1.0f - ambients[c], 0.0f));
-      glossy = min(glossy, max((1.0f - ambients[c]) - diffuse, 0.0f));
+      diffuse = min(diffuse, max(1.0f - ambient, 0.0f));
+      glossy = min(glossy, max((1.0f - ambient) - diffuse, 0.0f));
     }
-    value[LitSites::colour + c] = ambients[c] + (diffuse + glossy);
+    value[LitSites::colour + c] = ambient + (diffuse + glossy);
     if (sites.channels == 3) continue;
+    value[LitSites::ambient + c] = ambient;
     value[LitSites::diffuse + c] = diffuse;
     value[LitSites::glossy + c] = glossy;
   }
@@ -34,7 +34,7 @@ LitSites make_sites(const Draw& draw, bool parts) {
   const std::size_t count = draw.object->shading == Shading::flat
                                 ? draw.mesh->triangle_count()
                                 : draw.mesh->positions.size() * (draw.draw_back_faces ? 2 : 1);
-  sites.channels = parts ? 9 : 3;
+  sites.channels = parts ? 12 : 3;
   sites.needed.resize(count);
   sites.values.resize(count * std::size_t(sites.channels));
   return sites;
@@ -42,14 +42,13 @@ LitSites make_sites(const Draw& draw, bool parts) {
 
 void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::size_t end,
                  LitSites& sites, FrameStats& stats) {
-  const Rgb<float> ambient = ambient_radiance(frame.scene, draw.object->material);
   SurfaceSpan surface;
   LitSpan lit;
   std::size_t gathered[SurfaceSpan::capacity];
   const auto flush = [&] {
     light(frame, draw, surface, lit, stats);
     for (int i = 0; i < surface.size; ++i)
-      store_site(lit, i, ambient, frame.settings.clamp_vertex_colours, sites, gathered[i]);
+      store_site(lit, i, frame.settings.clamp_vertex_colours, sites, gathered[i]);
     surface.size = 0;
   };
   for (std::size_t site = begin; site < end; ++site) {
@@ -71,18 +70,17 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, Framebuffer
     case Shading::phong: phong(frame, span); break;             // normal interpolated; per fragment
   }
   stats.fragments += span.size;
-  write(span, ambient_radiance(frame.scene, span.draw->object->material), framebuffer);
+  write(span, framebuffer);
   if (!framebuffer.normal.empty()) write_normals(frame, span, framebuffer);
 }
 
 void SpanShader::phong(const Frame& frame, const FragmentSpan& span) {
   interpolate_surface(span, surface_);
   light(frame, *span.draw, surface_, lit_, stats);
-  const Rgb<float> ambient = ambient_radiance(frame.scene, span.draw->object->material);
-  const Batch ambients[3] = {ambient.r, ambient.g, ambient.b};
   for (int c = 0; c < 3; ++c)
     for (int i = 0; i < span.size; i += Batch::lanes)
-      (ambients[c] + (Batch::load(lit_.diffuse[c] + i) + Batch::load(lit_.glossy[c] + i)))
+      (Batch::load(lit_.ambient[c] + i) +
+       (Batch::load(lit_.diffuse[c] + i) + Batch::load(lit_.glossy[c] + i)))
           .store(colour_[c] + i);
 }
 
@@ -101,6 +99,7 @@ void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool part
     for (int c = 0; c < 3; ++c) {
       channel(LitSites::colour + c, colour_[c]);
       if (!parts) continue;
+      channel(LitSites::ambient + c, lit_.ambient[c]);
       channel(LitSites::diffuse + c, lit_.diffuse[c]);
       channel(LitSites::glossy + c, lit_.glossy[c]);
     }
@@ -115,6 +114,7 @@ void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) 
     for (int c = 0; c < 3; ++c) {
       std::fill_n(colour_[c] + run.first, run.size, value[LitSites::colour + c]);
       if (!parts) continue;
+      std::fill_n(lit_.ambient[c] + run.first, run.size, value[LitSites::ambient + c]);
       std::fill_n(lit_.diffuse[c] + run.first, run.size, value[LitSites::diffuse + c]);
       std::fill_n(lit_.glossy[c] + run.first, run.size, value[LitSites::glossy + c]);
     }
@@ -123,8 +123,7 @@ void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) 
 
 // -------------------------------------------------------------------------------------------------
 
-void SpanShader::write(const FragmentSpan& span, const Rgb<float>& ambient,
-                       Framebuffer& framebuffer) const {
+void SpanShader::write(const FragmentSpan& span, Framebuffer& framebuffer) const {
   for (int i = 0; i < span.size; ++i) {
     const float weight = span.weight[i];
     float* pixel = &framebuffer.colour[4 * std::size_t(span.pixel[i])];
@@ -132,11 +131,10 @@ void SpanShader::write(const FragmentSpan& span, const Rgb<float>& ambient,
     pixel[3] += weight;
   }
   if (framebuffer.ambient.empty()) return;
-  const float ambients[3] = {ambient.r, ambient.g, ambient.b};
   for (int i = 0; i < span.size; ++i) {
     const std::size_t pixel = 3 * std::size_t(span.pixel[i]);
     for (std::size_t c = 0; c < 3; ++c) {
-      framebuffer.ambient[pixel + c] += span.weight[i] * ambients[c];
+      framebuffer.ambient[pixel + c] += span.weight[i] * lit_.ambient[c][i];
       framebuffer.diffuse[pixel + c] += span.weight[i] * lit_.diffuse[c][i];
       framebuffer.glossy[pixel + c] += span.weight[i] * lit_.glossy[c][i];
     }

@@ -24,7 +24,7 @@ class SpanShader {
   void flat(const Frame& frame, const FragmentSpan& span, bool parts);
   void gouraud(const Frame& frame, const FragmentSpan& span, bool parts);
   void phong(const Frame& frame, const FragmentSpan& span);
-  void write(const FragmentSpan& span, const Rgb<float>& ambient, Framebuffer& framebuffer) const;
+  void write(const FragmentSpan& span, Framebuffer& framebuffer) const;
   void write_normals(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer);
 
   SurfaceSpan surface_;

@@ -39,9 +39,12 @@ Material make_material(const MaterialDescription& description) {
   material.object_colour = description.object_colour;
   material.tangents =
       description.tangents.value_or(description.model.tangents.value_or(Tangents{}));
-  // What the model's diffuse part shows when lit and seen head-on: kd, where it has one.
+  // What the model's diffuse part shows when lit and seen head-on: kd, where it has one. Where it
+  // varies, lighting asks for it at every point.
+  const bool varies = material.model->needs().parameters > 0;
   const Rgb<double> head_on = material.model->evaluate(Vec3<double>{0, 0, 1}, {0, 0, 1}).diffuse;
-  material.ka = description.ka.value_or(head_on * ambient_share);
+  material.ka = description.ka.value_or(varies ? Rgb<double>(0.0) : head_on * ambient_share);
+  material.ambient_share = varies && !description.ka ? ambient_share : 0;
   return material;
 }
 

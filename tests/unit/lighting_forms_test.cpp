@@ -51,6 +51,34 @@ TEST(Lighting, AmbientInBothForms) {
   EXPECT_FLOAT_EQ(ambient().b, 0.24f);
 }
 
+TEST(Lighting, AmbientFollowsADiffusePartThatVaries) {
+  Studio studio;
+  studio.scene.ambient = {0.9, 0.6, 0.3};
+  studio.material().ka = Rgb<double>(0.01);
+  for (const auto& point : studio.light(points))
+    expect_near(point.ambient, {0.009, 0.006, 0.003}, 1e-7);
+
+  studio.material().ambient_share = 0.25;
+  studio.material().model = models::make("phong:kd=noise(a=.1/.2/.3,b=.9/.1/.5)").model;
+  const auto expect = [&](const glm::dvec3& light) {
+    const auto lit = studio.light(points);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const glm::dvec3& at = points[i].position;
+      const Rgb<double> kd_here =
+          studio.material()
+              .model
+              ->evaluate({0, 0, 1}, Vec3<double>{0, 0, 1}, {.object_position = {at.x, at.y, at.z}})
+              .diffuse;
+      const glm::dvec3 ka = 0.01 + 0.25 * glm::dvec3(kd_here.r, kd_here.g, kd_here.b);
+      expect_near(lit[i].ambient, ka * light, 1e-6);
+    }
+  };
+  expect({0.9, 0.6, 0.3});
+  studio.material().form = ColourForm::plastic;
+  studio.material().object_colour = {0.5, 0.25, 1};
+  expect(0.6 * glm::dvec3(0.5, 0.25, 1));
+}
+
 TEST(Lighting, TheFormsAgreeToTheBitWhereTheyMeanTheSame) {
   // Ka_rgb = Ka object_colour, Kd_rgb = Kd object_colour, Ks_rgb = Ks light_colour, in powers of
   // two, so that no product rounds.

@@ -18,9 +18,9 @@ struct Point {
   glm::dvec3 position, normal;  // object space = world space here
 };
 
-/// The two parts at one point, RGB.
+/// The three parts at one point, RGB.
 struct Lit {
-  glm::dvec3 diffuse{0}, glossy{0};
+  glm::dvec3 ambient{0}, diffuse{0}, glossy{0};
 };
 
 /// A scene without a mesh: light() asks for points alone.
@@ -56,6 +56,7 @@ struct Studio {
     std::vector<Lit> result(points.size());
     for (std::size_t i = 0; i < points.size(); ++i)
       for (int c = 0; c < 3; ++c) {
+        result[i].ambient[c] = double(lit.ambient[c][i]);
         result[i].diffuse[c] = double(lit.diffuse[c][i]);
         result[i].glossy[c] = double(lit.glossy[c][i]);
       }
