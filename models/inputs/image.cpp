@@ -54,7 +54,9 @@ void refuse_what_is_no_number(const std::string& name, const Pixels& pixels) {
 }
 
 std::shared_ptr<const Pixels> read_pixels(const std::string& name) {
-  const auto fail = [&](const std::string& reason) {
+  const auto fail = [&](std::string reason) {
+    const std::string known = "Invalid image file \"" + name + "\": ";
+    if (reason.starts_with(known)) reason.erase(0, known.size());
     throw Error(name, "cannot read the image: " + reason.substr(0, reason.find('\n')));
   };
   // Else colours would come multiplied by alpha.
