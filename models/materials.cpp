@@ -63,6 +63,28 @@ std::vector<NamedMaterial> matt_materials() {
   };
 }
 
+// Finished wood, carved from a trunk that is about as large as a built-in shape; its geometry is
+// given to the colour and to the fibres alike.
+std::vector<NamedMaterial> wood_materials() {
+  const auto wood = [](const char* name, const std::string& trunk, const std::string& colour,
+                       const std::string& fibre, const std::string& rest) {
+    return NamedMaterial{name,
+                         "finished-wood:kd=wood-colour(" + colour + ',' + trunk +
+                             "),u=wood-fibre(" + fibre + ',' + trunk + ")," + rest,
+                         by_eye};
+  };
+  return {
+      wood("maple", "axis=1/.06/.04,ring=.07", "early=.5/.33/.17,late=.36/.2/.09,streaks=.15",
+           "unrest=3", "kf=.05/.037/.02,a=.08"),
+      wood("curly-maple", "axis=1/.06/.04,ring=.07", "early=.5/.33/.17,late=.36/.2/.09,streaks=.15",
+           "curl=9,wave=.07", "kf=.07/.052/.029,a=.08"),
+      wood("oak", "axis=1/.05/.02,pith=.5,ring=.05,streak=.015",
+           "early=.38/.23/.1,late=.2/.105/.04,pores=.5", "unrest=5", "kf=.045/.03/.015,a=.2"),
+      wood("walnut", "axis=1/.05/.02,pith=.35,towards=0/-.3/-1,ring=.07,streak=.02",
+           "early=.2/.105/.05,late=.085/.042/.02,pores=.4", "unrest=5", "kf=.04/.027/.015,a=.12"),
+  };
+}
+
 std::vector<std::string> names() {
   std::vector<std::string> all;
   for (const NamedMaterial& material : materials()) all.push_back(material.name);
@@ -107,7 +129,7 @@ NamedModel make_material(const ModelInfo&, std::span<const Argument> arguments,
 const std::vector<NamedMaterial>& materials() {
   static const std::vector<NamedMaterial> all = [] {
     std::vector<NamedMaterial> result = metal_materials();
-    for (const auto& group : {coated_materials(), matt_materials()})
+    for (const auto& group : {coated_materials(), wood_materials(), matt_materials()})
       result.insert(result.end(), group.begin(), group.end());
     return result;
   }();
