@@ -95,7 +95,7 @@ Entry lafortune_entry() {
                              "approximation of reflectance functions",
                    .reciprocal = true,
                    .energy_bounded = false,
-                   .exceptions = "published fits to measurements are energy-bounded",
+                   .exceptions = "material:blue-house-paint is energy-bounded",
                    .parameters = {{.key = "rd",
                                    .kind = ParameterKind::colour,
                                    .initial = Rgb<double>(0.3),

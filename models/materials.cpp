@@ -143,7 +143,7 @@ Entry material_entry() {
                    .source = "each material's own",
                    .reciprocal = true,
                    .energy_bounded = true,
-                   .exceptions = "with their own values",
+                   .exceptions = "as they are, with nothing changed",
                    .example = "material:copper"},
           .make = &make_material};
 }

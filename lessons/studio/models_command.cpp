@@ -57,6 +57,7 @@ void print_model(const models::ModelInfo& model) {
                       (model.exceptions.empty() ? "" : "; " + model.exceptions),
                   "  ");
   print_parameters(model);
+  if (!model.example.empty()) std::cout << "    for example " << model.example << '\n';
 }
 
 void print_materials() {
