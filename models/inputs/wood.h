@@ -83,6 +83,7 @@ struct WoodColour : Trunk {
     const T share = min(max(dark + T(streaks) * fibres, T(0)), T(1));
     const Rgb<T> pale = early * T(1);
     const Rgb<T> wood = pale + (late * T(1) - pale) * share;
+    if (pores == 0) return wood;
     // Pores of early wood, cut open lengthwise: short dark dashes.
     const Vec3<T> dash = at.streak * T(0.7) + at.radial * T(31.7);
     const T open = smooth_step(0.25, 0.5, gradient_noise(dash)) * (T(1) - dark);
