@@ -21,37 +21,37 @@
 
 namespace scanlit::models {
 
-/// A ratio of two squared magnitudes. Both are 0 at grazing where q is 0 too: within the denser of
-/// two media, and where there is no surface (eta = 1, k = 0). The bound turns 0/0 into 1, the limit
-/// of the first and of every other index.
+/// The mean of the two polarisations' reflectances, from q = N cos(theta_t) = re + i im:
+///
+///   r_s = (c - q) / (c + q)    |r_p / r_s|^2 = (t - u) / (t + u)    t = c^2 |q|^2 + sin^4(theta_i)
+///                                                                   u = 2 c re sin^2(theta_i)
+///
+/// so that F = |r_s|^2 t / (t + u): one division, and no difference of nearly equal numbers.
 template <class T>
-T reflected(const T& numerator, const T& denominator) {
+T unpolarised(const T& c, const T& re, const T& im2) {
+  const T minus = c - re, plus = c + re, sin2 = (T(1) - c) * (T(1) + c);
+  const T t = c * c * (re * re + im2) + sin2 * sin2, u = T(2) * c * re * sin2;
+  // Both are 0 at grazing where q is 0 too: within the denser of two media, and where there is no
+  // surface (eta = 1, k = 0). The bound turns 0/0 into 1, the limit of every other index.
   const T bound(1e-30);
-  return (numerator + bound) / (denominator + bound);
+  const T numerator = (minus * minus + im2 + bound) * t;
+  return min(numerator / ((plus * plus + im2 + bound) * (t + u)), T(1));
 }
 
-/// eta and k from 0 to 1e6, not both 0. With N = eta + i k and
-/// q = N cos(theta_t) = sqrt(N^2 - sin^2(theta_i)):
-///
-///   r_s = (c - q) / (c + q)        r_p = (N^2 c - q) / (N^2 c + q)
-///
-/// at normal incidence ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2). Maximum error in float where
-/// eta >= 1 or eta k >= .01: 1e-6, absolute; for other values as below.
+/// eta and k from 0 to 1e6, not both 0. At normal incidence
+/// ((eta - 1)^2 + k^2) / ((eta + 1)^2 + k^2). Maximum error in float where eta >= 1 or
+/// eta k >= .01: 1e-6, absolute; for other values as below.
 template <class T>
 T conductor_reflectance(const T& c, const T& eta, const T& k) {
-  // q^2 = t + 2 i eta k. eta^2 - 1 is factored because it cancels where eta is near 1.
+  // q^2 = N^2 - sin^2(theta_i) = t + 2 i eta k. eta^2 - 1 is factored because it cancels where eta
+  // is near 1.
   const T t = (eta - T(1)) * (eta + T(1)) - k * k + c * c, eta_k = eta * k;
   // Of q's two parts only the larger is taken from the sum under the root, where nothing cancels;
   // the other follows from 2 Re(q) Im(q) = 2 eta k. (Where q = 0 so is eta k: the bound on 0/0.)
   const T larger = sqrt(T(0.5) * (sqrt(t * t + T(4) * eta_k * eta_k) + abs(t)));
   const T smaller = eta_k / max(larger, T(1e-30));
   const T re = select(t > T(0), larger, smaller), im = select(t > T(0), smaller, larger);
-  const auto square = [](const T& x) { return x * x; };
-
-  const T s = reflected(square(c - re) + im * im, square(c + re) + im * im);
-  const T u = (eta - k) * (eta + k) * c, v = T(2) * eta_k * c;  // N^2 c = u + i v
-  const T p = reflected(square(u - re) + square(v - im), square(u + re) + square(v + im));
-  return min(T(0.5) * (s + p), T(1));
+  return unpolarised(c, re, im * im);
 }
 
 /// The same for k = 0, eta from 1e-3 to 1e6. If eta < 1 (light leaves the denser medium), q is
@@ -61,11 +61,7 @@ T conductor_reflectance(const T& c, const T& eta, const T& k) {
 template <class T>
 T dielectric_reflectance(const T& c, const T& eta) {
   const T q = sqrt(max((eta - T(1)) * (eta + T(1)) + c * c, T(0)));
-  const T u = eta * eta * c;
-  const auto square = [](const T& x) { return x * x; };
-  const T s = reflected(square(c - q), square(c + q));
-  const T p = reflected(square(u - q), square(u + q));
-  return min(T(0.5) * (s + p), T(1));
+  return unpolarised(c, q, T(0));
 }
 
 template <class P = double>
