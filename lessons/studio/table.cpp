@@ -19,6 +19,15 @@ void print_words(std::ostream& out, const std::string& text, std::size_t column,
       out << ' ';
       ++column;
     }
+    // A specification may be wider than a line; a comma is where it is read apart.
+    const std::size_t room = terminal_columns - indent.size();
+    while (word.size() > room) {
+      const std::size_t cut = word.rfind(',', room - 1);
+      if (cut == word.npos) break;
+      out << word.substr(0, cut + 1) << '\n' << indent;
+      word.erase(0, cut + 1);
+      column = indent.size();
+    }
     out << word;
     column += word.size();
   }

@@ -210,7 +210,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[[light]]\nkind = 'spot'\n", "scene.toml:1:1: a point light or spot has a pos"},
         Mistake{"[material.m]\n  model = 'blin-phong'\n",
                 "scene.toml:2:11: unknown model 'blin-phong'; did you mean 'blinn-phong'?"},
-        Mistake{"[material.m]\nmodel = { name = 'blinn-phong', n = 'x' }\n", "scene.toml:2:37: n "},
+        Mistake{"[material.m]\nmodel = { name = 'blinn-phong', n = 'x' }\n", "scene.toml:2:37: model 'blinn-phong': 'n' wants a number"},
         Mistake{"[material.m]\nmodel = { name = 'blinn-phong', kz = 1 }\n", "scene.toml:2:38: "},
         Mistake{"[material.m]\nmodel = { kd = 1 }\n", "scene.toml:2:9: a model has a name"},
         Mistake{"[material.m]\nka = 1.5\n", "scene.toml:2:6: ka: 1.5 is out of range"},
