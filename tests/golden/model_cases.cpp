@@ -64,6 +64,11 @@ std::vector<Case> model_cases() {
       case_of("sphere_lafortune",
               "lafortune:rd=.2/.3/.5,lobe=(cx=-1,cz=1,n=20),lobe=(cx=.8,cz=.6,n=8/6/4)"),
       case_of("sphere_finished_wood", "finished-wood"),
+      case_of("sphere_sum", "sum:(oren-nayar:rho=.1/.25/.4),(ward:rho=.3,ax=.1,ay=.3)"),
+      case_of("sphere_clear_coat", "clear-coat:base=(oren-nayar:rho=.6/.1/.1,sigma=.4),a=.15"),
+      case_of("sphere_house_paint", "material:blue-house-paint"),
+      case_of("sphere_distribution", "distribution:D=ggx,a=.6"),
+      case_of("sphere_fresnel", "fresnel:F=gold"),
       {"sphere_merl", rounding, [] { return table("merl", broad, models::tabulate_merl); }},
       // Its bins' borders lie where the arithmetic has them.
       {"sphere_merl_nearest",
