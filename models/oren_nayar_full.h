@@ -32,10 +32,11 @@ struct OrenNayarFull {
     const T second_bounce(P(0.17) * s2 / (s2 + P(0.13)));
 
     const T zero(0), one(1);
-    const T cos_a = min(c.n_l, c.n_v), cos_b = max(c.n_l, c.n_v);
-    const T sin_a = sine(cos_a), sin_b = sine(cos_b);
-    const T a = T(2 / std::numbers::pi) * acos(cos_a);  // as shares of a right angle
-    const T b = T(2 / std::numbers::pi) * acos(cos_b);
+    const Cosine<T> cos_a{min(c.n_l, c.n_v), max(c.n_l_versine, c.n_v_versine)};
+    const Cosine<T> cos_b{max(c.n_l, c.n_v), min(c.n_l_versine, c.n_v_versine)};
+    const T sin_a = sqrt(max(cos_a.sin2(), zero)), sin_b = sqrt(max(cos_b.sin2(), zero));
+    const T a = T(2 / std::numbers::pi) * angle(cos_a);  // as shares of a right angle
+    const T b = T(2 / std::numbers::pi) * angle(cos_b);
 
     // Where L or V is the normal, phi is undefined and 0/0 without the bound; whatever it is, it is
     // then multiplied by 0.
@@ -44,8 +45,8 @@ struct OrenNayarFull {
 
     // Each tangent times N.L, which keeps them finite. tan((A + B) / 2) is
     // (sin A + sin B) / (cos A + cos B), and sin B cos phi is sines_cos_phi / sin A.
-    const T n_l_tan_b = c.n_l / cos_b * sin_b;
-    const T n_l_tan_mean = c.n_l / (cos_a + cos_b) * (sin_a + sin_b);
+    const T n_l_tan_b = c.n_l / cos_b.cos * sin_b;
+    const T n_l_tan_mean = c.n_l / (cos_a.cos + cos_b.cos) * (sin_a + sin_b);
     const T c2 = T(P(0.45) * steep) * (sin_a - select(cos_phi < zero, b * b * b, zero));
     const T c3 = T(P(0.125) * steep) * (a * b * a * b);
 
@@ -54,10 +55,6 @@ struct OrenNayarFull {
     return {.diffuse = above_zero(rho * once + rho * (rho * twice)), .glossy = {}};
   }
 
-  template <class T>
-  static T sine(const T& cosine) {
-    return sqrt(max((T(1) - cosine) * (T(1) + cosine), T(0)));
-  }
   template <class T>
   static Rgb<T> above_zero(const Rgb<T>& a) {
     return {max(a.r, T(0)), max(a.g, T(0)), max(a.b, T(0))};

@@ -48,6 +48,12 @@ struct Cosines {
   T n_v;          // N.V, in [min_n_v, 1]
   Cosine<T> n_h;  // N.H, H half-way between L and V
   T v_h;          // V.H = L.H, in [0, 1]
+  // 1 - N.L and 1 - N.V as sums of squares: what a formula in angles has near the normal, where the
+  // cosines have lost them. They cost nothing where they are not used.
+  T n_l_versine, n_v_versine;
+
+  Cosine<T> light() const { return {.cos = n_l, .versine = n_l_versine}; }
+  Cosine<T> viewer() const { return {.cos = n_v, .versine = n_v_versine}; }
 };
 
 /// The directions in the shading frame: x tangent, y bitangent, z normal; unit.
@@ -93,11 +99,14 @@ Cosines<T> cosines(const Vec3<T>& n, const Vec3<T>& l, const Vec3<T>& v) {
   const T inverse_length = T(1) / sqrt(max(s2, tiny));
   const Vec3<T> h_n = s * inverse_length - n;
   const T versine = select(s2 < tiny, T(1), T(0.5) * dot(h_n, h_n));
-  const T one(1);
+  const T one(1), half(0.5);
+  const Vec3<T> l_n = l - n, v_n = v - n;
   return {.n_l = min(one, dot(n, l)),
           .n_v = min(one, max(dot(n, v), T(min_n_v))),
           .n_h = Cosine<T>::of_versine(versine),
-          .v_h = min(one, T(0.5) * (s2 * inverse_length))};
+          .v_h = min(one, half * (s2 * inverse_length)),
+          .n_l_versine = half * dot(l_n, l_n),
+          .n_v_versine = min(half * dot(v_n, v_n), T(1 - min_n_v))};
 }
 
 /// Directions into the shading frame of unit n and tangent t (perpendicular to n).
