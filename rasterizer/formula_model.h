@@ -51,9 +51,6 @@ struct Cosines {
   // 1 - N.L and 1 - N.V as sums of squares: what a formula in angles has near the normal, where the
   // cosines have lost them. They cost nothing where they are not used.
   T n_l_versine, n_v_versine;
-
-  Cosine<T> light() const { return {.cos = n_l, .versine = n_l_versine}; }
-  Cosine<T> viewer() const { return {.cos = n_v, .versine = n_v_versine}; }
 };
 
 /// The directions in the shading frame: x tangent, y bitangent, z normal; unit.
