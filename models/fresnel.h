@@ -78,11 +78,12 @@ struct ConductorFresnel {
 
 template <class P = double>
 struct DielectricFresnel {
-  P eta{1.5};
+  Rgb<P> eta{P(1.5)};
 
   template <class T>
   Rgb<T> operator()(const T& v_h) const {
-    return Rgb<T>(dielectric_reflectance(v_h, T(eta)));
+    return {dielectric_reflectance(v_h, T(eta.r)), dielectric_reflectance(v_h, T(eta.g)),
+            dielectric_reflectance(v_h, T(eta.b))};
   }
 };
 

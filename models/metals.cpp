@@ -123,9 +123,11 @@ const Metal& find_metal(std::string_view name) {
   return *found;
 }
 
+int metal_index(std::string_view name) { return int(&find_metal(name) - metals().data()); }
+
 const MetalFresnel& metal(std::string_view name) {
   static const std::vector<MetalFresnel> fits(metals().begin(), metals().end());
-  return fits[std::size_t(&find_metal(name) - metals().data())];
+  return fits[std::size_t(metal_index(name))];
 }
 
 double reflectance(const Metal& metal, double wavelength_nm, double cos_theta) {

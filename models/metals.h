@@ -76,6 +76,8 @@ const std::vector<std::string>& metal_names();
 
 /// Throws Error where there is no such metal: "unknown metal 'coper'; did you mean 'copper'?".
 const Metal& find_metal(std::string_view name);
+/// Its place among metals() and metal_names(). Throws likewise.
+int metal_index(std::string_view name);
 /// Its fit, made at the first call (of all metals, some milliseconds) and kept.
 const MetalFresnel& metal(std::string_view name);
 

@@ -8,10 +8,12 @@
 //   T operator()(const Cosine<T>& n_h, const Vec3<T>& h);     D(h), 1/sr
 //   T lambda(const T& n_d, const Vec3<T>& d);                 Smith's Lambda of the direction d
 //
-// h and d in the shading frame, which isotropic ones do not look at. To add one: its file, its word
-// in the list below, its line in with_distribution().
+// h and d in the shading frame, which isotropic ones do not look at. To add one: its file, its
+// enumerator and its word, its line in with_distribution(), and its parameters at the bottom; where
+// it shares one, as GGX's a, "D=ggx|yours" there.
 #pragma once
 
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -27,15 +29,21 @@ namespace scanlit::models::microfacet {
 /// of parameters has everything.
 template <class P = double>
 struct Distribution {
-  enum : int {
+  enum : int {  // isotropic ones first
     gaussian,
     beckmann,
     blinn,
     ggx,
     ashikhmin_shirley,
     anisotropic_beckmann,
-    anisotropic_ggx
+    anisotropic_ggx,
+    distributions
   };
+  static constexpr const char* distribution_words[] = {  // in the same order
+      "gaussian",       "beckmann", "blinn", "ggx", "ashikhmin-shirley", "anisotropic-beckmann",
+      "anisotropic-ggx"};
+  static_assert(std::size(distribution_words) == distributions);
+
   int distribution = beckmann;
   P m{0.3}, a{0.3}, n{40};
   P ex{10}, ey{200}, ax{0.1}, ay{0.4};
@@ -73,20 +81,18 @@ struct Distribution {
 
 template <class Formula>
 std::vector<Parameter<Formula>> distribution_parameters() {
-  return {{"D",
-           &Formula::distribution,
-           {"gaussian", "beckmann", "blinn", "ggx", "ashikhmin-shirley", "anisotropic-beckmann",
-            "anisotropic-ggx"},
-           "distribution of facets"},
-          {"m", &Formula::m, 1e-3, 1, "roughness: rms slope times sqrt(2)", "D=gaussian|beckmann"},
-          {"n", &Formula::n, 0, 1e5, "exponent of N.H", "D=blinn"},
-          {"a", &Formula::a, 1e-3, 1, "roughness", "D=ggx"},
-          {"ex", &Formula::ex, 0, 1e5, "exponent along the tangent", "D=ashikhmin-shirley"},
-          {"ey", &Formula::ey, 0, 1e5, "exponent along the bitangent", "D=ashikhmin-shirley"},
-          {"ax", &Formula::ax, 1e-3, 1, "roughness along the tangent",
-           "D=anisotropic-beckmann|anisotropic-ggx"},
-          {"ay", &Formula::ay, 1e-3, 1, "roughness along the bitangent",
-           "D=anisotropic-beckmann|anisotropic-ggx"}};
+  const auto& words = Distribution<>::distribution_words;
+  return {
+      {"D", &Formula::distribution, {std::begin(words), std::end(words)}, "distribution of facets"},
+      {"m", &Formula::m, 1e-3, 1, "roughness: rms slope times sqrt(2)", "D=gaussian|beckmann"},
+      {"n", &Formula::n, 0, 1e5, "exponent of N.H", "D=blinn"},
+      {"a", &Formula::a, 1e-3, 1, "roughness", "D=ggx"},
+      {"ex", &Formula::ex, 0, 1e5, "exponent along the tangent", "D=ashikhmin-shirley"},
+      {"ey", &Formula::ey, 0, 1e5, "exponent along the bitangent", "D=ashikhmin-shirley"},
+      {"ax", &Formula::ax, 1e-3, 1, "roughness along the tangent",
+       "D=anisotropic-beckmann|anisotropic-ggx"},
+      {"ay", &Formula::ay, 1e-3, 1, "roughness along the bitangent",
+       "D=anisotropic-beckmann|anisotropic-ggx"}};
 }
 
 /// D alone, as a grey value, to be looked at.

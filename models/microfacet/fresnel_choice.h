@@ -20,10 +20,10 @@ inline std::vector<std::string> fresnel_names() {
 template <class P = double>
 struct Fresnel {
   enum : int { one, schlick, dielectric, conductor, first_metal };
-  int fresnel = first_metal + 2;  // copper
+  int fresnel = first_metal + metal_index("copper");
   Rgb<P> f0{P(0.04)};
-  Rgb<P> eta{P(1.5)},
-      extinction{P(7.62)};  // glass; as a conductor aluminium at 641 nm (models/metals.h)
+  // Glass; as a conductor aluminium at 641 nm (models/metals.cpp).
+  Rgb<P> eta{P(1.5)}, extinction{P(7.62)};
   const MetalFresnel* metal = nullptr;
 
   // The name of a metal does not vary: what varies makes this run again for every vector.
@@ -37,9 +37,7 @@ struct Fresnel {
     switch (fresnel) {
       case one: return UnitFresnel{}(v_h);
       case schlick: return SchlickFresnel<P>{f0}(v_h);
-      case dielectric:
-        return {dielectric_reflectance(v_h, T(eta.r)), dielectric_reflectance(v_h, T(eta.g)),
-                dielectric_reflectance(v_h, T(eta.b))};
+      case dielectric: return DielectricFresnel<P>{eta}(v_h);
       case conductor: return ConductorFresnel<P>{eta, extinction}(v_h);
       default: return (*metal)(v_h);
     }

@@ -142,7 +142,7 @@ TEST(FresnelClasses, GiveEachChannelItsOwn) {
   EXPECT_EQ(f.r, conductor_reflectance(0.5f, 0.3f, 3.2f));
   EXPECT_EQ(f.g, conductor_reflectance(0.5f, 1.0f, 2.6f));
   EXPECT_EQ(f.b, conductor_reflectance(0.5f, 1.2f, 2.4f));
-  EXPECT_EQ(DielectricFresnel<>{.eta = 2}(0.5).g, dielectric_reflectance(0.5, 2.0));
+  EXPECT_EQ(DielectricFresnel<>{.eta = Rgb<double>(2.0)}(0.5).g, dielectric_reflectance(0.5, 2.0));
   EXPECT_EQ(UnitFresnel{}(0.5f), Rgb<float>(1.0f));
 
   const SchlickFresnel<> schlick{.f0 = {0.1, 0.5, 1.0}};
@@ -154,7 +154,7 @@ TEST(FresnelClasses, GiveEachChannelItsOwn) {
 TEST(FresnelClasses, TakeParametersThatVary) {
   Lanes eta, cosine;
   for (std::size_t i = 0; i < eta.size(); ++i) eta[i] = 1 + float(i), cosine[i] = 0.2f;
-  const DielectricFresnel<Batch> varying{.eta = Batch::load(eta.data())};
+  const DielectricFresnel<Batch> varying{.eta = Rgb<Batch>(Batch::load(eta.data()))};
   const Lanes f = lanes_of(varying(Batch::load(cosine.data())).r);
   for (std::size_t i = 0; i < f.size(); ++i)
     EXPECT_NEAR(f[i], dielectric_reflectance<double>(cosine[i], eta[i]), 2e-6);

@@ -285,7 +285,8 @@ TEST(Microfacet, FresnelByName) {
   expect_equal(fresnel("one"), Rgb<double>(1.0));
   expect_equal(fresnel("schlick,f0=.1/.2/.3"),
                models::SchlickFresnel<double>{.f0 = {.1, .2, .3}}(c));
-  expect_equal(fresnel("dielectric,eta=1.33"), models::DielectricFresnel<double>{1.33}(c));
+  expect_equal(fresnel("dielectric,eta=1.33"),
+               models::DielectricFresnel<double>{Rgb<double>(1.33)}(c));
   expect_equal(fresnel("conductor,eta=.2/.9/1.1,k=3.9/2.4/2.2"),
                models::ConductorFresnel<double>{{.2, .9, 1.1}, {3.9, 2.4, 2.2}}(c));
 }
