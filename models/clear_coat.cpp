@@ -109,8 +109,7 @@ NamedModel make_clear_coat(const ModelInfo& info, std::span<const Argument> argu
   auto model = std::make_shared<ClearCoat>(
       given ? *given : make(without_parentheses(default_base), context).model,
       Coat{std::get<double>(value_of(values, "eta")), std::get<double>(value_of(values, "a"))});
-  return {
-      .specification = {}, .model = std::move(model), .values = std::move(values), .tangents = {}};
+  return {.model = std::move(model), .values = std::move(values)};
 }
 
 }  // namespace

@@ -94,8 +94,14 @@ template <class Formula>
 struct Registered {
   Registered() {
     const Description<Formula> d = Formula::describe();
-    ModelInfo info{d.kind,       d.year,           d.name,       d.title, d.source,
-                   d.reciprocal, d.energy_bounded, d.exceptions, "",      {}};
+    ModelInfo info{.kind = d.kind,
+                   .year = d.year,
+                   .name = d.name,
+                   .title = d.title,
+                   .source = d.source,
+                   .reciprocal = d.reciprocal,
+                   .energy_bounded = d.energy_bounded,
+                   .exceptions = d.exceptions};
     for (const auto& p : d.parameters) info.parameters.push_back(parameter_info(p));
     add(Entry{std::move(info), &make_model});
   }
@@ -105,10 +111,7 @@ struct Registered {
                                const Context& context) {
     Values values = read_values(context, info.parameters, arguments);
     auto model = make_formula_model<Formula>(values);
-    return {.specification = {},
-            .model = std::move(model),
-            .values = std::move(values),
-            .tangents = {}};
+    return {.model = std::move(model), .values = std::move(values)};
   }
 };
 

@@ -77,12 +77,10 @@ NamedModel make_lafortune(const ModelInfo& info, std::span<const Argument> argum
   if (lobes.empty())
     formula.lobes = {read_lobe(context, std::get<std::string>(value_of(values, "lobe")))};
   else
-    values[1].second = lobes;
+    std::ranges::find(values, "lobe", &Values::value_type::first)->second = lobes;
   formula.rd = colour_of(value_of(values, "rd"));
-  return {.specification = {},
-          .model = std::make_shared<FormulaModel<Lafortune>>(std::move(formula)),
-          .values = std::move(values),
-          .tangents = {}};
+  return {.model = std::make_shared<FormulaModel<Lafortune>>(std::move(formula)),
+          .values = std::move(values)};
 }
 
 }  // namespace

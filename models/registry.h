@@ -36,10 +36,10 @@ const std::vector<ModelInfo>& list_inputs();
 
 /// A model made from "NAME" or "NAME:key=value,...", and the values its parameters got.
 struct NamedModel {
-  std::string specification;
+  std::string specification{};  // as make() was given it, which sets it
   std::shared_ptr<const ReflectionModel> model;
-  Values values;                     // every parameter, in list() order
-  std::optional<Tangents> tangents;  // where a named material brings its own
+  Values values{};                     // every parameter, in list() order
+  std::optional<Tangents> tangents{};  // where a named material brings its own
 };
 
 /// Relative files are looked for in `folder`. Throws Error: unknown model or key (with the

@@ -87,10 +87,7 @@ NamedModel make_sum(const ModelInfo&, std::span<const Argument> arguments, const
   std::vector<Term> terms;
   for (const auto& [key, value] : arguments)
     terms.push_back(read_term(key.empty() ? value : key + "=" + value, context));
-  return {.specification = {},
-          .model = std::make_shared<Sum>(std::move(terms)),
-          .values = {},
-          .tangents = {}};
+  return {.model = std::make_shared<Sum>(std::move(terms))};
 }
 
 }  // namespace

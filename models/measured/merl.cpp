@@ -20,7 +20,6 @@ constexpr std::array<std::int32_t, 3> dimensions = {MerlTable::theta_h_bins,
                                                     MerlTable::theta_d_bins, MerlTable::phi_d_bins};
 constexpr std::uintmax_t file_size = sizeof dimensions + 3 * sizeof(double) * MerlTable::size;
 
-// As in the published look-up, one negative channel condemns the entry.
 NamedModel make_merl(const ModelInfo& info, std::span<const Argument> arguments,
                      const Context& context) {
   Values values = read_values(context, info.parameters, arguments);
@@ -28,10 +27,10 @@ NamedModel make_merl(const ModelInfo& info, std::span<const Argument> arguments,
   const bool nearest = std::get<std::string>(value_of(values, "lookup")) == "nearest";
   auto model = std::make_shared<Merl>(read_merl(file),
                                       nearest ? MerlLookup::nearest : MerlLookup::trilinear);
-  return {
-      .specification = {}, .model = std::move(model), .values = std::move(values), .tangents = {}};
+  return {.model = std::move(model), .values = std::move(values)};
 }
 
+// As in the published look-up, one negative channel condemns the entry.
 bool measured(const Rgb<double>& entry) { return entry.r >= 0 && entry.g >= 0 && entry.b >= 0; }
 
 }  // namespace
