@@ -7,6 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "models/spherical.h"
+
 namespace scanlit::models {
 namespace {
 
@@ -28,8 +30,7 @@ class HalfVectors {
   // l = 2 (v.h) h - v and dl = 4 (v.h) dh; dh = sin t dt dp.
   Point at(double s, double p) const {
     const double t_max = this->t_max(p), t = t_max * s;
-    const Vec3<double> h{std::sin(t) * std::cos(p + azimuth_), std::sin(t) * std::sin(p + azimuth_),
-                         std::cos(t)};
+    const Vec3<double> h = spherical_direction(t, p + azimuth_);
     const double v_h = dot(v_, h);
     return {(2 * v_h) * h - v_, std::max(0.0, 4 * v_h * std::sin(t) * t_max)};
   }
@@ -125,19 +126,16 @@ double glossy_sum(const ReflectionModel& model, const Vec3<double>& l, const Vec
 // halved where none leads up.
 Vec3<double> climb(const ReflectionModel& model, const Vec3<double>& v, const Vec3<double>& l) {
   double theta = std::atan2(std::hypot(l.x, l.y), l.z), phi = std::atan2(l.y, l.x);
-  const auto direction = [](double t, double p) {
-    return Vec3<double>{std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
-  };
   double best = glossy_sum(model, l, v);
   for (double step = 0.1; step > 1e-5;) {
     const std::array<double, 2> before{theta, phi};
     for (const auto& [dt, dp] : {std::array{step, 0.0}, {-step, 0.0}, {0.0, step}, {0.0, -step}}) {
-      const double value = glossy_sum(model, direction(theta + dt, phi + dp), v);
+      const double value = glossy_sum(model, spherical_direction(theta + dt, phi + dp), v);
       if (value > best) best = value, theta += dt, phi += dp;
     }
     if (before == std::array{theta, phi}) step /= 2;
   }
-  return direction(theta, phi);
+  return spherical_direction(theta, phi);
 }
 
 // The tops reached from the best of directions spread evenly over the hemisphere (a Fibonacci

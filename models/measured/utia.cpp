@@ -1,10 +1,10 @@
 #include "models/measured/utia.h"
 
-#include <cmath>
 #include <memory>
 #include <string>
 
 #include "models/measured/table_file.h"
+#include "models/spherical.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image/image_encoding.h"
 
@@ -30,8 +30,7 @@ NamedModel make_utia(const ModelInfo& info, std::span<const Argument> arguments,
   auto model = std::make_shared<FormulaModel<Utia>>(
       Utia(read_utia(file), srgb ? UtiaEncoding::srgb : UtiaEncoding::linear,
            std::get<double>(value_of(values, "scale"))));
-  return {
-      .specification = {}, .model = std::move(model), .values = std::move(values), .tangents = {}};
+  return {.model = std::move(model), .values = std::move(values)};
 }
 
 }  // namespace
@@ -59,9 +58,8 @@ Entry utia_entry() {
 }
 
 Vec3<double> UtiaTable::direction(int theta, int phi) {
-  const double degree = std::acos(-1.0) / 180;
-  const double t = theta * theta_step_deg * degree, p = phi * phi_step_deg * degree;
-  return {std::sin(t) * std::cos(p), std::sin(t) * std::sin(p), std::cos(t)};
+  constexpr double degree = std::numbers::pi / 180;
+  return spherical_direction(theta * theta_step_deg * degree, phi * phi_step_deg * degree);
 }
 
 UtiaTable read_utia(const std::filesystem::path& file) {

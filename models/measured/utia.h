@@ -10,9 +10,8 @@
 //  * Between the angles f_r is interpolated linearly, in phi around the circle.
 //  * Beyond 75 degrees f_r is held at its value there (N.L still falls). The database's own reader
 //    continues the line through the last two values, below 0 for some materials.
-//  * At theta = 0 phi has no meaning and the table 48 entries for one direction: their mean is
-//  used,
-//    so that the highlight's centre has one value from all sides.
+//  * At theta = 0 phi has no meaning and the table has 48 entries for one direction: their mean is
+//    used, so that the highlight's centre has one value from all sides.
 //  * Negative entries, which measurements have, are taken for 0.
 //
 // As with MERL's table all of it is the glossy part. A material need not be reciprocal here.
@@ -24,6 +23,7 @@
 #pragma once
 
 #include <filesystem>
+#include <numbers>
 #include <vector>
 
 #include "models/measured/table_lookup.h"
@@ -79,7 +79,7 @@ class Utia {
   }
 
  private:
-  static constexpr double pi = 3.14159265358979323846, degrees = 180 / pi;
+  static constexpr double pi = std::numbers::pi, degrees = 180 / pi;
 
   template <class T>
   Rgb<T> interpolated(T theta_l, T phi_l, T theta_v, T phi_v) const;

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <string>
 
 #include "models/registry.h"
+#include "models/spherical.h"
 
 namespace scanlit::studio {
 
@@ -16,8 +16,7 @@ inline double radians_of(double degrees) { return degrees * std::numbers::pi / 1
 /// In the shading frame: theta_deg from the normal, phi_deg from the tangent. A negative theta_deg
 /// leans to the other side.
 inline Vec3<double> direction_at(double theta_deg, double phi_deg) {
-  const double theta = radians_of(theta_deg), phi = radians_of(phi_deg);
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+  return models::spherical_direction(radians_of(theta_deg), radians_of(phi_deg));
 }
 
 /// pi f_r (n.l), diffuse and glossy together.

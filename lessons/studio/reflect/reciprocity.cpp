@@ -15,17 +15,14 @@ namespace {
 /// theta and phi of l and of v, rad.
 using Angles = std::array<double, 4>;
 
-Vec3<double> direction(double theta, double phi) {
-  return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
 class Search {
  public:
   explicit Search(const ReflectionModel& model) : model_(model) {}
 
   Violation at(const Angles& a) const {
     Violation result;
-    result.l = direction(a[0], a[1]), result.v = direction(a[2], a[3]);
+    result.l = models::spherical_direction(a[0], a[1]);
+    result.v = models::spherical_direction(a[2], a[3]);
     if (result.l.z < least_cosine || result.v.z < least_cosine) return result;
     const double scale_l = 1 / (std::numbers::pi * result.l.z);
     const double scale_v = 1 / (std::numbers::pi * result.v.z);
