@@ -9,12 +9,6 @@
 namespace scanlit::studio {
 namespace {
 
-std::string fixed(double value, int decimals) {
-  char buffer[64];
-  std::snprintf(buffer, sizeof buffer, "%.*f", decimals, value);
-  return buffer;
-}
-
 /// name, a figure, its share of a whole where there is one, a remark.
 void print_row(std::ostream& out, const std::string& row_name, const std::string& figure,
                const std::string& percent, const std::string& remark) {

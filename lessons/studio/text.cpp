@@ -64,6 +64,13 @@ std::string text_of(const Rgb<double>& colour) {
   return text_of(colour.r) + '/' + text_of(colour.g) + '/' + text_of(colour.b);
 }
 
+std::string fixed(double value, int decimals) {
+  char buffer[400];  // the largest double has 309 digits
+  return {
+      buffer,
+      std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals).ptr};
+}
+
 std::string grouped(std::int64_t count) {
   std::string text = std::to_string(count);
   for (std::size_t i = text.size(); i > 3; i -= 3) text.insert(i - 3, ",");

@@ -45,6 +45,8 @@ extern const Choices<Tangents> brushes;  // fields and axes: "around y"
 std::string text_of(double value);
 /// "0.5", or "0.5/0.4/0.3" where the channels differ: as models::make() reads it.
 std::string text_of(const Rgb<double>& colour);
+/// So many decimals, also where they are zeros.
+std::string fixed(double value, int decimals);
 /// "1,234,567".
 std::string grouped(std::int64_t count);
 

@@ -52,12 +52,9 @@ std::vector<double> angles_of(const ReflectOptions& options, std::vector<double>
                               const Range& range) {
   if (!options.given("--angles")) return otherwise;
   std::vector<double> angles;
-  for (std::string_view rest = options.angles;;) {
-    const std::size_t end = std::min(rest.find(','), rest.size());
-    angles.push_back(parse_number("--angles", rest.substr(0, end), range));
-    if (end == rest.size()) return angles;
-    rest.remove_prefix(end + 1);
-  }
+  for (const std::string_view angle : models::split_outside_parentheses(options.angles, ','))
+    angles.push_back(parse_number("--angles", angle, range));
+  return angles;
 }
 
 double azimuth_of(const ReflectOptions& options) {

@@ -14,19 +14,10 @@ namespace {
 const char* const colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                "#E69F00", "#56B4E9", "#000000"};
 const char* const dashes[] = {"", "8 4", "2 3", "10 3 2 3", "14 4", "5 2"};
-constexpr double curve_width = 2.2;
 
 Stroke stroke(std::size_t colour, std::size_t dash) {
   return {colours[colour % std::size(colours)], curve_width, dashes[dash % std::size(dashes)]};
 }
-
-struct Channel {
-  const char *name, *colour, *dash;
-  double Rgb<double>::*value;
-};
-const Channel channels[] = {{"red", "#D55E00", "", &Rgb<double>::r},
-                            {"green", "#009E73", "8 4", &Rgb<double>::g},
-                            {"blue", "#0072B2", "2 3", &Rgb<double>::b}};
 
 /// Halves the interval between the last sample and `b` until a straight line looks the same.
 void refine(const std::function<Rgb<double>(double)>& f, const std::function<double(double)>& drawn,

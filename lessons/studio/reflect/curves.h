@@ -23,6 +23,17 @@ std::vector<Sample> sample(const std::function<Rgb<double>(double)>& f, double l
                            double high_deg, const std::vector<double>& centres_deg,
                            const std::function<double(double)>& drawn);
 
+constexpr double curve_width = 2.2;
+
+/// How a channel's own curve is drawn.
+struct Channel {
+  const char *name, *colour, *dash;
+  double Rgb<double>::*value;
+};
+inline constexpr Channel channels[] = {{"red", "#D55E00", "", &Rgb<double>::r},
+                                       {"green", "#009E73", "8 4", &Rgb<double>::g},
+                                       {"blue", "#0072B2", "2 3", &Rgb<double>::b}};
+
 struct Curve {
   Stroke stroke;
   std::vector<PlotPoint> points;  // angle in degrees, value

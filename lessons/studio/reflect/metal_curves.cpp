@@ -13,8 +13,6 @@
 namespace scanlit::studio {
 namespace {
 
-constexpr double curve_width = 2.2;
-
 double cosine(double angle_deg) { return std::max(0.0, std::cos(radians_of(angle_deg))); }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -38,14 +36,6 @@ Rgb<double> ramp(double t) {
   return t < 0.5 ? dark * (1 - 2 * t) + middle * (2 * t)
                  : middle * (2 - 2 * t) + bright * (2 * t - 1);
 }
-
-struct Channel {
-  const char *name, *colour;
-  double Rgb<double>::*value;
-};
-const Channel channels[] = {{"red", "#D55E00", &Rgb<double>::r},
-                            {"green", "#009E73", &Rgb<double>::g},
-                            {"blue", "#0072B2", &Rgb<double>::b}};
 
 }  // namespace
 
@@ -134,13 +124,13 @@ LabelledCurves curves_over_angle(const models::Metal& metal) {
 
 LabelledCurves channels_over_angle(const MetalColours& colours) {
   LabelledCurves result;
-  for (const auto& [name, colour, value] : channels) {
-    const Stroke solid{colour, curve_width}, dashed{colour, 1.4, "6 4"};
-    result.legend.push_back({name, solid});
+  for (const Channel& c : channels) {
+    const Stroke solid{c.colour, curve_width}, dashed{c.colour, 1.4, "6 4"};
+    result.legend.push_back({c.name, solid});
     result.curves.push_back(
-        curve_of([&](double deg) { return colours.spectrum(deg).*value; }, 0, 90, solid));
+        curve_of([&](double deg) { return colours.spectrum(deg).*c.value; }, 0, 90, solid));
     result.curves.push_back(
-        curve_of([&](double deg) { return colours.schlick(deg).*value; }, 0, 90, dashed));
+        curve_of([&](double deg) { return colours.schlick(deg).*c.value; }, 0, 90, dashed));
   }
   result.legend.push_back({"Schlick 1994", {"#555555", 1.4, "6 4"}});
   return result;

@@ -14,12 +14,6 @@
 namespace scanlit::studio {
 namespace {
 
-std::string fixed(double value, int decimals) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%.*f", decimals, value);
-  return text;
-}
-
 std::string short_text(double value, int digits = 2) {
   char text[64];
   std::snprintf(text, sizeof text, "%.*g", digits, value);
