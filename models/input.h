@@ -12,6 +12,9 @@
 //   };
 //   inline const RegisteredInput<Checker> checker_registered;
 //
+// and is registered by its file being included in models/catalogue_inputs.cpp. evaluate() calls it
+// in Batch, so that there is no `if` on a T here either.
+//
 // A parameter that is one number takes the first channel; a direction takes the three channels as
 // x, y, z in object space, of any length.
 #pragma once

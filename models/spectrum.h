@@ -1,7 +1,7 @@
 // From a spectrum of reflectances to linear sRGB: what the eye, and so a picture, makes of it.
 //
-//   X = sum S(lambda) R(lambda) x(lambda) / sum S(lambda) y(lambda), likewise Y, Z;  RGB = M (X Y
-//   Z)
+//   X = sum S(lambda) R(lambda) x(lambda) / sum S(lambda) y(lambda), likewise Y and Z
+//   RGB = M (X, Y, Z)
 //
 // S is the light, R the reflectance, x y z the CIE 1931 colour-matching functions in the analytic
 // fit of Wyman, Sloan and Shirley, "Simple analytic approximations to the CIE XYZ color matching

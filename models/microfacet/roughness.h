@@ -2,8 +2,9 @@
 // its anisotropic twin differ in.
 //
 // Facets are steep where tan(alpha) is large, alpha the angle from N to the facet's normal H. A
-// roughness m scales slopes: Beckmann's distribution is exp(-(tan(alpha) / m)^2). Brushed surfaces
-// have a roughness ax across their grooves' length x (the tangent) and ay along y (the bitangent).
+// roughness m scales slopes: Beckmann's distribution is exp(-(tan(alpha) / m)^2). A brushed surface
+// has two: ax along x, the tangent, and ay along y, the bitangent; smaller along its grooves than
+// across them.
 #pragma once
 
 #include <numbers>
