@@ -3,10 +3,13 @@
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/texture.h>
+#include <fcntl.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <filesystem>
 #include <map>
 #include <mutex>
 
@@ -53,7 +56,38 @@ void refuse_what_is_no_number(const std::string& name, const Pixels& pixels) {
   }
 }
 
+/// libpng writes what is wrong to standard error too, before OpenImageIO reports it.
+class QuietStandardError {
+ public:
+  QuietStandardError() : before_(dup(STDERR_FILENO)) {
+    const int nowhere = open("/dev/null", O_WRONLY);
+    if (before_ >= 0 && nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+    if (nowhere >= 0) close(nowhere);
+  }
+  ~QuietStandardError() {
+    if (before_ < 0) return;
+    dup2(before_, STDERR_FILENO);
+    close(before_);
+  }
+  QuietStandardError(const QuietStandardError&) = delete;
+  QuietStandardError& operator=(const QuietStandardError&) = delete;
+
+ private:
+  int before_;
+};
+
+/// A pipe would be waited for, and a device has no end.
+void refuse_what_is_no_file(const std::string& name) {
+  std::error_code ignored;  // what cannot be opened is refused when it is
+  const auto status = std::filesystem::status(name, ignored);
+  if (std::filesystem::is_directory(status)) throw Error(name, "is a folder, not an image");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw Error(name, "is not a regular file");
+}
+
 std::shared_ptr<const Pixels> read_pixels(const std::string& name) {
+  refuse_what_is_no_file(name);
+  const QuietStandardError quiet;
   const auto fail = [&](std::string reason) {
     const std::string known = "Invalid image file \"" + name + "\": ";
     if (reason.starts_with(known)) reason.erase(0, known.size());

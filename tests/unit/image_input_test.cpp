@@ -1,8 +1,10 @@
 // image(FILE): what a file's pixels become on a surface.
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -226,6 +228,24 @@ TEST_F(ImageInput, FilesThatAreNoneAreRefusedWhereTheyAreNamed) {
   }
   for (const char* arguments : {"missing.png", "text.png", "cut.png", "bad.exr"})
     EXPECT_EQ(refusal(arguments).find('\n'), std::string::npos) << "one line";
+}
+
+TEST_F(ImageInput, PipesAndFoldersAreRefusedAndNotWaitedFor) {
+  ASSERT_EQ(mkfifo(in_folder("pipe.png").c_str(), 0600), 0);
+  std::filesystem::create_directory(in_folder("folder.png"));
+  EXPECT_EQ(error_of([&] { open("pipe.png"); }),
+            in_folder("pipe.png").string() + ": is not a regular file");
+  EXPECT_EQ(error_of([&] { open("folder.png"); }),
+            in_folder("folder.png").string() + ": is a folder, not an image");
+}
+
+TEST_F(ImageInput, LibrariesOfFormatsDoNotWriteToStandardError) {
+  write_checks("cut.png", 64);
+  std::filesystem::resize_file(in_folder("cut.png"), 100);
+  testing::internal::CaptureStderr();
+  error_of([&] { open("cut.png"); });
+  std::fputs("and after", stderr);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "and after");
 }
 
 TEST_F(ImageInput, BadArguments) {
