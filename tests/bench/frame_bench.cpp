@@ -2,11 +2,10 @@
 // per fragment by Blinn-Phong under one directional light, on one thread and on all.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <cstdio>
 #include <memory>
-#include <numbers>
 
+#include "bench_scenes.h"
 #include "models/registry.h"
 #include "rasterizer/framebuffer.h"
 #include "rasterizer/render.h"
@@ -14,26 +13,6 @@
 
 namespace scanlit::bench {
 namespace {
-
-/// The unit sphere of 2 slices (stacks - 1) triangles; seam and poles repeat their vertices.
-std::shared_ptr<const Mesh> sphere(int stacks, int slices) {
-  auto mesh = std::make_shared<Mesh>();
-  mesh->closed = true;
-  for (int i = 0; i <= stacks; ++i)
-    for (int j = 0; j <= slices; ++j) {
-      const double theta = std::numbers::pi * i / stacks, phi = 2 * std::numbers::pi * j / slices;
-      mesh->positions.emplace_back(std::sin(theta) * std::sin(phi), std::cos(theta),
-                                   std::sin(theta) * std::cos(phi));
-    }
-  mesh->normals = mesh->positions;
-  for (int i = 0; i < stacks; ++i)
-    for (int j = 0; j < slices; ++j) {
-      const auto a = std::uint32_t(i * (slices + 1) + j), b = a + std::uint32_t(slices) + 1;
-      if (i != stacks - 1) mesh->indices.insert(mesh->indices.end(), {a, b, b + 1});
-      if (i != 0) mesh->indices.insert(mesh->indices.end(), {a, b + 1, a + 1});
-    }
-  return mesh;
-}
 
 void measure(const std::string& name, const std::shared_ptr<const Mesh>& mesh, int threads) {
   Scene scene;
@@ -90,8 +69,8 @@ void print_table(const Figures& figures) {
 
 int main(int argc, char** argv) {
   using namespace scanlit::bench;
-  for (const auto& [name, mesh] :
-       {std::pair{"2000", sphere(26, 40)}, std::pair{"1000000", sphere(501, 1000)}}) {
+  for (const auto& [name, scene] : {std::pair{"2000", "S2"}, std::pair{"1000000", "S4"}}) {
+    const auto mesh = make_bench_scene(scene).mesh;
     measure(std::string(name) + " 1", mesh, 1);
     measure(std::string(name) + " all", mesh, 0);
   }

@@ -1,0 +1,47 @@
+// Times a scene in both renderers, frame by frame in turn, and compares their pictures.
+#pragma once
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "osmesa_peer.h"
+#include "scanlit_side.h"
+
+namespace scanlit::bench {
+
+/// Milliseconds per frame: by the clock, and of all the process's threads.
+struct FrameTime {
+  double median_ms = 0, min_ms = 0, cpu_ms = 0;  // cpu_ms is a median, too
+};
+
+struct SceneResult {
+  std::string scene;
+  int threads = 0, frames = 0;
+  FrameTime scanlit, buffer, framebuffer_object;  // the latter two: llvmpipe's Target
+  double max_difference = 0, mean_difference = 0;
+  std::int64_t covered[2] = {};  // by Scanlit, by llvmpipe
+  bool same = false;
+  std::string difference;
+  // Of Scanlit's frame, milliseconds summed over the threads, medians; "other" is what of wall time
+  // times threads no stage accounts for: waiting, allocating.
+  std::map<std::string, double> stages;
+
+  /// llvmpipe's time over Scanlit's, medians.
+  double ratio() const { return buffer.median_ms / scanlit.median_ms; }
+  /// The same of processor time: what others do on the machine at the same time changes it little,
+  /// and it does not show what a second thread brings.
+  double cpu_ratio() const { return buffer.cpu_ms / scanlit.cpu_ms; }
+};
+void to_json(nlohmann::json& json, const SceneResult& result);
+void from_json(const nlohmann::json& json, SceneResult& result);
+
+struct Effort {
+  double seconds;  // for a scene's timed frames, after the warm ones
+  int min_frames, max_frames;
+};
+
+SceneResult compare_scene(const BenchScene& scene, int threads, const Effort& effort,
+                          ScanlitSide& scanlit, OsmesaPeer& peer);
+
+}  // namespace scanlit::bench

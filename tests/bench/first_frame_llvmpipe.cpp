@@ -1,0 +1,13 @@
+// Draws one picture of S2 and says so: started by bench_versus_llvmpipe, which looks at the clock.
+#include <cstdio>
+
+#include "osmesa_peer.h"
+
+int main() {
+  using namespace scanlit::bench;
+  const BenchScene scene = make_bench_scene("S2");
+  OsmesaPeer renderer;
+  renderer.prepare(scene);
+  renderer.draw(scene, 0, Target::buffer);
+  std::puts(renderer.picture()[4 * (540 * picture_width + 960) + 3] ? "drawn" : "nothing drawn");
+}

@@ -1,0 +1,93 @@
+#include "versus_report.h"
+
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "rasterizer/image/output_file.h"
+#include "report.h"
+
+namespace scanlit::bench {
+
+namespace {
+
+const std::vector<std::string>& stage_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> all;
+    for (int s = 0; s < int(Stage::count); ++s) all.emplace_back(name(Stage(s)));
+    all.insert(all.end(), {"other", "to rgba8"});
+    return all;
+  }();
+  return names;
+}
+
+bool draws(const SceneResult& result) { return result.scene != "S0"; }
+
+std::string ratio_text(const SceneResult& result) {
+  if (!result.same) return "differs";
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", result.ratio());
+  return text;
+}
+
+}  // namespace
+
+void print_header() {
+  std::printf(
+      "ms per frame, %dx%d, Scanlit's vectors: %s; median (least, processor time)\n"
+      "%-5s %-7s %-22s %-25s %-25s %7s %6s  %-9s %s\n",
+      picture_width, picture_height, vector_level().c_str(), "scene", "threads", "Scanlit",
+      "llvmpipe to a buffer", "llvmpipe, glReadPixels", "ratio", "by cpu", "max, mean",
+      "covered pixels");
+}
+
+void print_row(const SceneResult& result) {
+  const auto time = [](const FrameTime& t, int width) {
+    char text[80];
+    std::snprintf(text, sizeof text, "%.2f (%.2f, %.2f)", t.median_ms, t.min_ms, t.cpu_ms);
+    std::printf("%-*s ", width, text);
+  };
+  std::printf("%-5s %-7d ", result.scene.c_str(), result.threads);
+  time(result.scanlit, 22);
+  time(result.buffer, 25);
+  time(result.framebuffer_object, 25);
+  std::printf("%7s %6.2f  %2.0f, %.3f %8lld %lld\n", ratio_text(result).c_str(), result.cpu_ratio(),
+              result.max_difference, result.mean_difference,
+              static_cast<long long>(result.covered[0]), static_cast<long long>(result.covered[1]));
+  if (!result.same) std::printf("      pictures differ: %s\n", result.difference.c_str());
+  std::fflush(stdout);
+}
+
+void print_summary(const std::vector<SceneResult>& results) {
+  double log_sum = 0, least = std::numeric_limits<double>::infinity();
+  int count = 0;
+  for (const SceneResult& result : results) {
+    if (!draws(result) || !result.same) continue;
+    log_sum += std::log(result.ratio());
+    least = std::min(least, result.ratio());
+    ++count;
+  }
+  if (count > 0)
+    std::printf("      ratio of medians over %d scenes: geometric mean %.2f, least %.2f\n", count,
+                std::exp(log_sum / count), least);
+}
+
+void print_stages(const std::vector<SceneResult>& results) {
+  std::printf("\nScanlit's stages, ms per frame summed over the threads\n%-5s %-7s", "scene",
+              "threads");
+  for (const std::string& stage : stage_names()) std::printf("%16s", stage.c_str());
+  std::printf("\n");
+  for (const SceneResult& result : results) {
+    std::printf("%-5s %-7d", result.scene.c_str(), result.threads);
+    for (const std::string& stage : stage_names()) std::printf("%16.3f", result.stages.at(stage));
+    std::printf("\n");
+  }
+}
+
+void write_file(const std::string& file, const std::string& text) {
+  OutputFile output(file);
+  std::fwrite(text.data(), 1, text.size(), output.stream());
+  output.commit();
+}
+
+}  // namespace scanlit::bench
