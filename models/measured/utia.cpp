@@ -78,7 +78,8 @@ void write_utia(const UtiaTable& table, const std::filesystem::path& file) {
 Utia::Utia(const UtiaTable& table, UtiaEncoding encoding, double scale) : f_r_(table.entries) {
   const auto f_r = [&](double entry) {
     const double positive = max(entry, 0.0);
-    return scale * (encoding == UtiaEncoding::srgb ? linear_from_srgb(positive) : positive);
+    const double linear = encoding == UtiaEncoding::srgb ? linear_from_srgb(positive) : positive;
+    return scale * min(linear, max_table_entry);  // decoded, 1e30 would be 1e72 and leave float
   };
   for (Rgb<double>& e : f_r_) e = {f_r(e.r), f_r(e.g), f_r(e.b)};
   const int directions = UtiaTable::directions;

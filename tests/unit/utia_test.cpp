@@ -155,6 +155,13 @@ TEST_F(UtiaTest, EntriesAreDecodedAndScaledAsTold) {
             1e-9);
 }
 
+TEST_F(UtiaTest, TheLargestEntryStaysInFloatHoweverItIsEncoded) {
+  const UtiaTable table{std::vector<Rgb<double>>(UtiaTable::size, Rgb<double>(1e30))};
+  const UtiaModel utia{Utia(table, UtiaEncoding::srgb, 1000)};
+  const Vec3<float> up{0, 0, 1};
+  EXPECT_TRUE(std::isfinite(utia.evaluate(up, up, SurfacePoint<float>{}).glossy.r));
+}
+
 TEST_F(UtiaTest, IsMadeFromWords) {
   tabulate_utia(model_of<Brushed>(), in_folder("t.bin"));
   const UtiaTable table = read_utia(in_folder("t.bin"));
