@@ -28,8 +28,11 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 std::string did_you_mean(std::string_view word, const std::vector<std::string>& candidates) {
   if (candidates.empty()) return "";
+  // A file's worth of text is no slip, and would take its square in time and memory.
+  constexpr std::size_t longest = 100;
   const auto distance_to = [&](const std::string& candidate) {
-    return edit_distance(word, candidate);
+    const std::size_t longer = std::max(word.size(), candidate.size());
+    return longer > longest ? longer : edit_distance(word, candidate);
   };
   const std::string& nearest = *std::ranges::min_element(candidates, {}, distance_to);
   // One slip is near enough for the shortest words too, where a third rounds to nothing.

@@ -142,6 +142,8 @@ TEST(DidYouMean, NamesTheNearestWhereOneIsNear) {
   EXPECT_EQ(did_you_mean("pyramid", words), "; there are: cube, sphere, torus");
   EXPECT_EQ(did_you_mean("", words), "; there are: cube, sphere, torus");
   EXPECT_EQ(did_you_mean("cube", {}), "");
+  EXPECT_EQ(did_you_mean(std::string(1000000, 'e'), words), "; there are: cube, sphere, torus")
+      << "not compared letter by letter";
 }
 
 }  // namespace
