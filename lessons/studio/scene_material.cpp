@@ -43,8 +43,9 @@ models::NamedModel read_model(TomlTable& material, const std::filesystem::path& 
   const toml::node* value = material.node("model");
   if (!value) return models::make(default_model);
   if (value->is_table()) return model_from_table(*material.table("model", "the model"), folder);
+  const std::string specification = *material.text("model");
   try {
-    return models::make(*material.text("model"), folder);
+    return models::make(specification, folder);
   } catch (const Error& error) {
     material.refuse("model", error.what());
   }

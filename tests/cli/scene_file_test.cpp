@@ -221,6 +221,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"[material.m]\ntangents = 'brushed'\n",
                 "scene.toml:2:12: unknown tangents 'brushed'; there are: around x, around y, "
                 "around z, along x, along y, along z, texcoord"},
+        Mistake{"[material.m]\nmodel = 5\n", "scene.toml:2:9: model must be text in quotes"},
         Mistake{"[material.m]\ntangents = 3\n", "scene.toml:2:12: tangents must be"},
         Mistake{"[material.m]\ntangents = { axis = [0, 1, 0] }\n",
                 "scene.toml:2:12: tangents have a field: around, along or texcoord"},
