@@ -19,9 +19,9 @@
 
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
+#include "models/formula_parameter.h"
 #include "models/registry.h"
 #include "models/varying_model.h"
 #include "rasterizer/formula_model.h"

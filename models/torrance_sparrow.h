@@ -3,8 +3,9 @@
 //   Kd (N.L) + Ks pi D G F / (4 (N.V))
 //
 // Torrance and Sparrow, physicists, explained in 1967 why rough surfaces reflect most not in the
-// mirror direction but beyond it, with V-shaped grooves and a Gaussian D. Blinn brought the model
-// to graphics in 1977, with other D and G in the form used since. Cook and Torrance 1982 gave it
+// mirror direction but beyond it, with V-shaped grooves and a Gaussian D: the default here. Blinn
+// brought the model to graphics in 1977, with other D, among them the power of N.H that bears his
+// name (D=blinn), and G in the form used since. Cook and Torrance 1982 gave it
 // Beckmann's D and metals: cook_torrance.h, which is the same term, normalised, with other
 // defaults.
 //
@@ -22,7 +23,7 @@ namespace scanlit::models {
 
 template <class P = double>
 struct TorranceSparrow : microfacet::Microfacet<P> {
-  TorranceSparrow() { this->distribution = this->blinn, this->fresnel = this->dielectric; }
+  TorranceSparrow() { this->distribution = this->gaussian, this->fresnel = this->dielectric; }
 
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c, const ShadingFrame<T>& f) const {

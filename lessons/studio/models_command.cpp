@@ -1,11 +1,13 @@
 // scanlit models
 #include <iostream>
+#include <memory>
 
 #include "lessons/studio/commands.h"
 #include "lessons/studio/table.h"
 #include "lessons/studio/text.h"
 #include "models/materials.h"
 #include "models/registry.h"
+#include "rasterizer/error.h"
 
 namespace scanlit::studio {
 namespace {
@@ -60,13 +62,9 @@ void print_model(const models::ModelInfo& model) {
   if (!model.example.empty()) std::cout << "    for example " << model.example << '\n';
 }
 
-void print_materials() {
-  std::cout
-      << "\nMaterials: material:NAME is the model after it; material:NAME,key=value changes one.\n";
-  for (const models::NamedMaterial& material : models::materials()) {
-    std::cout << '\n' << material.name << ": " << material.source << '\n';
-    print_wrapped(std::cout, material.specification, "    ");
-  }
+void print_material(const models::NamedMaterial& material) {
+  std::cout << '\n' << material.name << ": " << material.source << '\n';
+  print_wrapped(std::cout, material.specification, "    ");
 }
 
 void list_models() {
@@ -79,17 +77,36 @@ void list_models() {
   std::cout
       << "\nInputs: what a number, colour or direction may be that varies over the surface.\n";
   for (const models::ModelInfo& input : models::list_inputs()) print_model(input);
-  print_materials();
+  std::cout
+      << "\nMaterials: material:NAME is the model after it; material:NAME,key=value changes one.\n";
+  for (const models::NamedMaterial& material : models::materials()) print_material(material);
   std::cout << "\nA colour is r/g/b, linear, or one number for grey. Example:\n"
                "  scanlit render teapot --model blinn-phong:kd=.6/.3/.2,n=50\n";
+}
+
+/// One model, part, input or material.
+void print_named(const std::string& name) {
+  std::vector<std::string> names;
+  for (const auto* infos : {&models::list(), &models::list_inputs()})
+    for (const models::ModelInfo& info : *infos) {
+      if (info.name == name) return print_model(info);
+      names.push_back(info.name);
+    }
+  for (const models::NamedMaterial& material : models::materials()) {
+    if (material.name == name) return print_material(material);
+    names.push_back(material.name);
+  }
+  throw Error("unknown model '" + name + "'" + did_you_mean(name, names));
 }
 
 }  // namespace
 
 Command add_models_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("models", "Lists the reflection models");
-  app->footer("Example:\n  scanlit models");
-  return {app, list_models};
+  const auto name = std::make_shared<std::string>();
+  app->add_option("NAME", *name, "one model, part, input or material (all of them)");
+  app->footer("Example:\n  scanlit models cook-torrance");
+  return {app, [name] { name->empty() ? list_models() : print_named(*name); }};
 }
 
 }  // namespace scanlit::studio

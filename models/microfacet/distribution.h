@@ -13,6 +13,7 @@
 // it shares one, as GGX's a, "D=ggx|yours" there.
 #pragma once
 
+#include <cassert>
 #include <iterator>
 #include <string>
 #include <vector>
@@ -60,13 +61,15 @@ struct Distribution {
   auto with_distribution(const Use& use) const {
     switch (distribution) {
       case gaussian: return use(gaussian_of_m);
+      case beckmann: break;  // at the end: a function returns on every path
       case blinn: return use(Blinn<P>{n});
       case ggx: return use(Ggx<Isotropic<P>>{{a}});
       case ashikhmin_shirley: return use(AshikhminShirley<P>{ex, ey});
       case anisotropic_beckmann: return use(Beckmann<Anisotropic<P>>{{ax, ay}});
       case anisotropic_ggx: return use(Ggx<Anisotropic<P>>{{ax, ay}});
-      default: return use(Beckmann<Isotropic<P>>{{m}});
+      default: assert(false);  // an enumerator without its line here
     }
+    return use(Beckmann<Isotropic<P>>{{m}});
   }
 
   /// 1/sr.

@@ -182,6 +182,18 @@ TEST(Cli, StatsShowStagesAndCounts) {
   expect_narrow(outcome.out);
 }
 
+TEST(Cli, ListsOneModel) {
+  const Folder folder;
+  for (const char* name : {"ward", "fresnel", "image", "copper"}) {
+    const Outcome outcome = folder.run(std::string("models ") + name);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    EXPECT_EQ(outcome.out.find(std::string("\n") + name + ": "), 0u) << outcome.out;
+  }
+  const Outcome outcome = folder.run("models wart");
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "error: unknown model 'wart'; did you mean 'ward'?\n");
+}
+
 TEST(Cli, TheExampleScenesRender) {
   const Folder folder;
   const std::filesystem::path scenes = SCANLIT_SOURCE_DIR "/lessons/scenes";

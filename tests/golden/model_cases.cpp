@@ -51,7 +51,7 @@ std::vector<Case> model_cases() {
       case_of("sphere_phong", "phong:kd=.15/.35/.6,ks=.4,n=20"),
       case_of("sphere_blinn_phong", "blinn-phong:kd=.15/.35/.6,ks=.4,n=50"),
       case_of("sphere_blinn_phong_normalised", "blinn-phong:kd=.15/.35/.6,ks=.1,n=50,normalised=1"),
-      case_of("sphere_torrance_sparrow", "torrance-sparrow:kd=.15/.35/.6,n=20"),
+      case_of("sphere_torrance_sparrow", "torrance-sparrow:kd=.15/.35/.6,D=blinn,n=20"),
       case_of("sphere_cook_torrance_copper", "cook-torrance:m=.5,F=copper"),
       case_of("sphere_cook_torrance_lecture", "cook-torrance:D=gaussian,m=.35,F=gold,form=lecture"),
       case_of("sphere_cook_torrance_ggx", "cook-torrance:D=ggx,a=.4,G=smith-correlated,F=silver"),
