@@ -108,6 +108,7 @@ SceneResult compare_scene(const BenchScene& scene, int threads, const Effort& ef
 
   difference.take_worse(compare_frame(scene, 2 + frames, scanlit, peer));
   SceneResult result{.scene = scene.name,
+                     .peer = OsmesaPeer::version(),
                      .threads = threads,
                      .frames = frames,
                      .scanlit = scanlit_times.summary(),
@@ -145,6 +146,7 @@ void to_json(nlohmann::json& json, const SceneResult& r) {
           {"ratio", r.same ? nlohmann::json(r.ratio()) : nlohmann::json()},
           {"max_difference", r.max_difference},
           {"mean_difference", r.mean_difference},
+          {"peer", r.peer},
           {"frames", r.frames},
           {"cpu_ratio", r.cpu_ratio()},
           {"same_picture", r.same},
@@ -158,6 +160,7 @@ void to_json(nlohmann::json& json, const SceneResult& r) {
 
 void from_json(const nlohmann::json& json, SceneResult& r) {
   r.scene = json.at("scene");
+  r.peer = json.at("peer");
   r.threads = json.at("threads");
   r.frames = json.at("frames");
   r.scanlit = frame_time(json.at("scanlit"));

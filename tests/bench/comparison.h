@@ -16,7 +16,7 @@ struct FrameTime {
 };
 
 struct SceneResult {
-  std::string scene;
+  std::string scene, peer;  // peer: the other renderer's name and version
   int threads = 0, frames = 0;
   FrameTime scanlit, buffer, framebuffer_object;  // the latter two: llvmpipe's Target
   double max_difference = 0, mean_difference = 0;

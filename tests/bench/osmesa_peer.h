@@ -34,7 +34,7 @@ class OsmesaPeer {
   /// glReadPixels starts at the bottom row.
   Picture upside_down() const;
 
-  /// "llvmpipe (LLVM 15.0.6, 256 bits), Mesa 22.3.6"
+  /// "llvmpipe (LLVM 15.0.6, 256 bits), OpenGL 3.3 (Core Profile) Mesa 22.3.6"
   static std::string version();
 
  private:

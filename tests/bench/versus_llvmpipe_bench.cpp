@@ -73,7 +73,9 @@ std::vector<SceneResult> compare_on(int threads, const Options& options) {
   run_process(command,
               {"LP_NUM_THREADS=" + std::to_string(threads), "LP_NATIVE_VECTOR_WIDTH=256",
                "MALLOC_TRIM_THRESHOLD_=4000000000",
-               "MALLOC_MMAP_THRESHOLD_=33554432"},  // the largest that glibc takes
+               "MALLOC_MMAP_THRESHOLD_=33554432",  // the largest that glibc takes
+               // Mesa 22.3 would take code that it compiled for another vector width from there.
+               "MESA_SHADER_CACHE_DISABLE=true"},
               [&](const std::string& line) {
                 results.push_back(nlohmann::json::parse(line));
                 print_row(results.back());

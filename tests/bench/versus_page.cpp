@@ -1,4 +1,5 @@
 // The page: per number of threads a chart of the ratios, then the table.
+#include <algorithm>
 #include <cstdio>
 #include <map>
 
@@ -15,32 +16,33 @@ std::string format(const char* pattern, const Values&... values) {
   return text;
 }
 
-constexpr int bar_height = 18, row_height = 24, label_width = 60, chart_width = 760;
+constexpr int bar_height = 18, row_height = 24, label_width = 100, chart_width = 760;
 
-/// Bars from the left: llvmpipe's time over Scanlit's, with a line where both are equal.
+/// Name, figure and bar of llvmpipe's time over Scanlit's, with a line where both are equal.
 std::string chart(const std::vector<SceneResult>& results) {
   double largest = 1;
   for (const SceneResult& r : results)
     if (r.same) largest = std::max(largest, r.ratio());
-  const double unit = (chart_width - label_width - 60) / largest;
-  const int height = row_height * int(results.size());
-  std::string svg = format("<svg width='%d' height='%d' font-size='13'>\n", chart_width, height);
+  const double unit = (chart_width - label_width - 10) / largest, equal = label_width + unit;
+  const int bottom = row_height * int(results.size());
+  std::string svg =
+      format("<svg width='%d' height='%d' font-size='13'>\n", chart_width, bottom + row_height);
   int y = 0;
   for (const SceneResult& r : results) {
     svg += format("<text x='0' y='%d'>%s</text>", y + 14, r.scene.c_str());
     if (r.same)
       svg += format(
-          "<rect x='%d' y='%d' width='%.1f' height='%d' fill='#4a7db0'/>"
-          "<text x='%.1f' y='%d'>%.1f</text>\n",
-          label_width, y, r.ratio() * unit, bar_height, label_width + r.ratio() * unit + 6, y + 14,
-          r.ratio());
+          "<text x='%d' y='%d' text-anchor='end'>%.2f</text>"
+          "<rect x='%d' y='%d' width='%.1f' height='%d' fill='#4a7db0'/>\n",
+          label_width - 12, y + 14, r.ratio(), label_width, y, r.ratio() * unit, bar_height);
     else
       svg += format("<text x='%d' y='%d'>pictures differ</text>\n", label_width, y + 14);
     y += row_height;
   }
-  const double equal = label_width + unit;
-  return svg + format("<line x1='%.1f' x2='%.1f' y1='0' y2='%d' stroke='#000'/></svg>\n", equal,
-                      equal, height);
+  return svg + format(
+                   "<line x1='%.1f' x2='%.1f' y1='0' y2='%d' stroke='#000'/>"
+                   "<text x='%.1f' y='%d' text-anchor='middle'>equal</text></svg>\n",
+                   equal, equal, bottom, equal, bottom + 14);
 }
 
 std::string table(const std::vector<SceneResult>& results) {
@@ -69,7 +71,7 @@ std::string report_page(const std::vector<SceneResult>& results) {
       "<style>body{font:15px sans-serif;margin:2em}td,th{padding:2px 10px;text-align:right}"
       "th{vertical-align:bottom}</style>\n"
       "<h1>Scanlit beside llvmpipe</h1>\n<p>How many times faster a frame of 1920x1080 is: "
-      "llvmpipe's time over Scanlit's, medians. The line marks equal speed.</p>\n";
+      "llvmpipe's time over Scanlit's, medians.</p>\n";
   for (const auto& [threads, part] : by_threads)
     html += format("<h2>%d thread%s</h2>\n", threads, threads > 1 ? "s" : "") + chart(part) +
             table(part);

@@ -67,6 +67,7 @@ void print_summary(const std::vector<SceneResult>& results) {
     least = std::min(least, result.ratio());
     ++count;
   }
+  if (!results.empty()) std::printf("      %s\n", results.front().peer.c_str());
   if (count > 0)
     std::printf("      ratio of medians over %d scenes: geometric mean %.2f, least %.2f\n", count,
                 std::exp(log_sum / count), least);
