@@ -17,6 +17,7 @@
 #pragma once
 
 #include "models/formula.h"
+#include "models/microfacet/blinn.h"
 
 namespace scanlit::models {
 
@@ -33,22 +34,14 @@ struct AshikhminShirley {
     // N.H is at most 1, so V.H = (N.L + N.V) / (2 N.H) is at least (N.L) / 2: also where l = -v
     // and what rounding leaves of V.H is 0.
     const T v_h = max(c.v_h, T(0.5) * c.n_l);
-    const T lobe = T(sqrt((nu + P(1)) * (nv + P(1))) * P(0.125)) * pow(c.n_h, exponent(f.h));
+    const T exponent = microfacet::exponent_towards(f.h, nu, nv);
+    const T lobe = T(sqrt((nu + P(1)) * (nv + P(1))) * P(0.125)) * pow(c.n_h, exponent);
     const Rgb<T> reflectance = rs * one;
     const Rgb<T> fresnel = reflectance + (Rgb<T>(one) - reflectance) * power5(one - v_h);
     const Rgb<T> transmitted = rd * (Rgb<T>(one) - reflectance);
     const auto entering = [&](const T& n_d) { return one - power5(one - T(0.5) * n_d); };
     return {.diffuse = transmitted * (T(28.0 / 23) * entering(c.n_l) * entering(c.n_v) * c.n_l),
             .glossy = fresnel * (lobe * c.n_l / (v_h * max(c.n_l, c.n_v)))};
-  }
-
-  /// (nu hx^2 + nv hy^2) / (1 - hz^2). 1 - hz^2 is taken as hx^2 + hy^2, which does not cancel near
-  /// the normal; at h = N, where the exponent is 0/0 without the bound, the power is 1 whatever it
-  /// is.
-  template <class T>
-  T exponent(const Vec3<T>& h) const {
-    const T x2 = h.x * h.x, y2 = h.y * h.y;
-    return (T(nu) * x2 + T(nv) * y2) / max(x2 + y2, T(1e-30));
   }
 
   template <class T>

@@ -7,9 +7,9 @@ namespace scanlit::models {
 // By what enters from outside: dw (N.L) = eta^2 dw' (N.L'), and T is the same from both sides, so
 // that 1 - F_int = (1 - F_ext) / eta^2. From outside F is smooth, while from inside it has a kink
 // at the critical angle, which would spoil Simpson's rule.
-double Coat::internal_reflectance() const {
+double internal_reflectance(double eta) {
   constexpr int panels = 2048;  // error below 1e-12
-  const auto integrand = [this](double c) { return 2 * c * dielectric_reflectance(c, eta); };
+  const auto integrand = [eta](double c) { return 2 * c * dielectric_reflectance(c, eta); };
   double external = 0;
   for (int i = 0; i < panels; ++i) {
     const double from = double(i) / panels, to = double(i + 1) / panels;
@@ -18,10 +18,26 @@ double Coat::internal_reflectance() const {
   return 1 - (1 - external) / (eta * eta);
 }
 
-ClearCoat::ClearCoat(std::shared_ptr<const ReflectionModel> base, Coat coat)
-    : base_(std::move(base)), coat_(coat), internal_(coat.internal_reflectance()) {
+ClearCoat::ClearCoat(std::shared_ptr<const ReflectionModel> base, Coat<> coat)
+    : base_(std::move(base)), coat_(coat), internal_(internal_reflectance(coat.eta)) {
   varies_ = base_->needs().surface_point;
   kd_ = base_->evaluate(Vec3<double>{0, 0, 1}, Vec3<double>{0, 0, 1}).diffuse;
+}
+
+// d' of d, with N.d' known: what is parallel to the surface becomes shorter by eta.
+template <class T>
+Vec3<T> ClearCoat::refracted(const Vec3<T>& d, const Vec3<T>& n, const T& cosine) const {
+  const T n_d = dot(n, d);
+  return (d - n * n_d) * T(1 / coat_.eta) + n * cosine;
+}
+
+// What the base's pi f_base (N.L') is multiplied by to become pi f (N.L). 0 below the horizon; at
+// the horizon, if eta = 1, 0/0 without the bound.
+template <class T>
+T ClearCoat::transmitted(const Cosines<T>& c, const T& refracted_n_l) const {
+  const T n_l = max(c.n_l, T(0));
+  return coat_.transmittance(n_l) * coat_.transmittance(c.n_v) * T(1 / (coat_.eta * coat_.eta)) *
+         n_l / max(refracted_n_l, T(1e-15));
 }
 
 template <class T>
@@ -49,22 +65,22 @@ void ClearCoat::evaluate(const DirectionSpan& in, const ReflectionSpan& out) con
     const Vec3<Batch> n = load_vec3(in.normal, i), l = load_vec3(in.to_light, i),
                       v = load_vec3(in.to_viewer, i);
     const Cosines<Batch> c = cosines(n, l, v);
-    store_vec3(coat_.refracted(l, n, coat_.refracted_cosine(c.n_l)), inside, 0, i);
-    store_vec3(coat_.refracted(v, n, coat_.refracted_cosine(c.n_v)), inside, 3, i);
+    store_vec3(refracted(l, n, coat_.refracted_cosine(c.n_l)), inside, 0, i);
+    store_vec3(refracted(v, n, coat_.refracted_cosine(c.n_v)), inside, 3, i);
   }
-  DirectionSpan refracted = in;
-  point_at(refracted.to_light, inside, 0), point_at(refracted.to_viewer, inside, 3);
-  base_->evaluate(refracted, out);
+  DirectionSpan below = in;
+  point_at(below.to_light, inside, 0), point_at(below.to_viewer, inside, 3);
+  base_->evaluate(below, out);
 
   ScratchReflection head_on(varies_ ? in.size : 0);
   if (varies_) {
-    for (int c = 0; c < 3; ++c) refracted.to_light[c] = refracted.to_viewer[c] = in.normal[c];
-    base_->evaluate(refracted, head_on.span);
+    for (int c = 0; c < 3; ++c) below.to_light[c] = below.to_viewer[c] = in.normal[c];
+    base_->evaluate(below, head_on.span);
   }
   for (std::size_t i = 0; i < in.size; i += Batch::lanes) {
     const Cosines<Batch> c =
         cosines(load_vec3(in.normal, i), load_vec3(in.to_light, i), load_vec3(in.to_viewer, i));
-    const Batch share = coat_.transmitted(c, coat_.refracted_cosine(c.n_l));
+    const Batch share = transmitted(c, coat_.refracted_cosine(c.n_l));
     const Rgb<Batch> kd = varies_ ? load_rgb(head_on.span.diffuse, i)
                                   : Rgb<Batch>{Batch(kd_.r), Batch(kd_.g), Batch(kd_.b)};
     const Batch mirrored = select(c.n_l > Batch(0), coat_.glossy(c), Batch(0));
@@ -81,10 +97,10 @@ Reflection<T> ClearCoat::query(const Vec3<T>& l, const Vec3<T>& v,
   const Vec3<T> n{T(0), T(0), T(1)};
   const Cosines<T> c = cosines(n, l, v);
   const T n_l = coat_.refracted_cosine(c.n_l);
-  const Reflection<T> base = base_->evaluate(
-      coat_.refracted(l, n, n_l), coat_.refracted(v, n, coat_.refracted_cosine(c.n_v)), point);
+  const Reflection<T> base =
+      base_->evaluate(refracted(l, n, n_l), refracted(v, n, coat_.refracted_cosine(c.n_v)), point);
   const Rgb<T> kd = varies_ ? base_->evaluate(n, n, point).diffuse : kd_ * T(1);
-  const T share = coat_.transmitted(c, n_l);
+  const T share = transmitted(c, n_l);
   return {deepened(base.diffuse, kd) * share, base.glossy * share + Rgb<T>(coat_.glossy(c))};
 }
 
@@ -108,7 +124,7 @@ NamedModel make_clear_coat(const ModelInfo& info, std::span<const Argument> argu
   const auto* given = std::get_if<std::shared_ptr<const ReflectionModel>>(&base);
   auto model = std::make_shared<ClearCoat>(
       given ? *given : make(without_parentheses(default_base), context).model,
-      Coat{std::get<double>(value_of(values, "eta")), std::get<double>(value_of(values, "a"))});
+      Coat<>{std::get<double>(value_of(values, "eta")), std::get<double>(value_of(values, "a"))});
   return {.model = std::move(model), .values = std::move(values)};
 }
 

@@ -21,57 +21,17 @@
 
 #include <memory>
 
-#include "models/fresnel.h"
-#include "models/microfacet/ggx.h"
-#include "models/microfacet/masking.h"
+#include "models/coat.h"
 #include "models/registry.h"
 
 namespace scanlit::models {
 
-/// The coat by itself.
-struct Coat {
-  double eta = 1.5;
-  double a = 0.05;
-
-  /// N.L' of N.L. Written as a sum, which does not cancel; at eta = 1 it is N.L.
-  template <class T>
-  T refracted_cosine(const T& n_l) const {
-    return sqrt(max(T((eta - 1) * (eta + 1)) + n_l * n_l, T(1e-30))) * T(1 / eta);
-  }
-
-  /// d' of d, with N.d' known: what is parallel to the surface becomes shorter by eta.
-  template <class T>
-  Vec3<T> refracted(const Vec3<T>& d, const Vec3<T>& n, const T& cosine) const {
-    const T n_d = dot(n, d);
-    return (d - n * n_d) * T(1 / eta) + n * cosine;
-  }
-
-  template <class T>
-  T glossy(const Cosines<T>& c) const {
-    const microfacet::Ggx<microfacet::Isotropic<double>> ggx{{a}};
-    const Vec3<T> unused{};
-    const T lambdas = ggx.lambda(c.n_l, unused) + ggx.lambda(c.n_v, unused);
-    return T(std::numbers::pi / 4) * ggx(c.n_h, unused) * dielectric_reflectance(c.v_h, T(eta)) /
-           ((T(1) + lambdas) * c.n_v);
-  }
-
-  /// What the base's pi f_base (N.L') is multiplied by to become pi f (N.L). 0 below the horizon.
-  template <class T>
-  T transmitted(const Cosines<T>& c, const T& refracted_n_l) const {
-    const auto entering = [this](const T& n_d) {
-      return T(1) - dielectric_reflectance(n_d, T(eta));
-    };
-    const T n_l = max(c.n_l, T(0));
-    return entering(n_l) * entering(c.n_v) * T(1 / (eta * eta)) * n_l / refracted_n_l;
-  }
-
-  /// F_int: the reflectance from inside, averaged over diffuse light.
-  double internal_reflectance() const;
-};
+/// F_int of an index of refraction: the reflectance from inside, averaged over diffuse light.
+double internal_reflectance(double eta);
 
 class ClearCoat final : public ReflectionModel {
  public:
-  ClearCoat(std::shared_ptr<const ReflectionModel> base, Coat coat);
+  ClearCoat(std::shared_ptr<const ReflectionModel> base, Coat<> coat);
 
   Needs needs() const override { return base_->needs(); }
   void evaluate_parameters(const PointSpan& points, float* const* out) const override {
@@ -87,10 +47,14 @@ class ClearCoat final : public ReflectionModel {
   template <class T>
   Reflection<T> query(const Vec3<T>& l, const Vec3<T>& v, const SurfacePoint<T>& point) const;
   template <class T>
+  Vec3<T> refracted(const Vec3<T>& d, const Vec3<T>& n, const T& cosine) const;
+  template <class T>
+  T transmitted(const Cosines<T>& c, const T& refracted_n_l) const;
+  template <class T>
   Rgb<T> deepened(const Rgb<T>& diffuse, const Rgb<T>& kd) const;
 
   std::shared_ptr<const ReflectionModel> base_;
-  Coat coat_;
+  Coat<> coat_;
   double internal_;  // F_int
   bool varies_;      // the base's kd, over the surface
   Rgb<double> kd_;   // else this

@@ -17,8 +17,8 @@
 //   g      normal distribution of standard deviation beta: exp(-psi_h^2 / (2 beta^2)) /
 //          (beta sqrt(2 pi)), in 1/rad
 //   T      1 - F(N.W), Fresnel's transmittance of the coat, index eta
-//   D G F  the coat's rough surface: GGX of roughness a, Smith's G, Fresnel's F(V.H); which one the
-//          paper leaves open
+//   D G F  the coat's rough surface (models/coat.h), GGX of roughness a; which one the paper leaves
+//          open
 //   kd     albedo of the wood's body under the coat; the factor 1 / pi is this project's, the paper
 //          does not settle it
 //   kf     the fibres' colour times strength; no albedo: at psi_h = psi_d = 0 a model returns
@@ -31,9 +31,8 @@
 
 #include <numbers>
 
+#include "models/coat.h"
 #include "models/formula.h"
-#include "models/fresnel.h"
-#include "models/microfacet/masking.h"
 
 namespace scanlit::models {
 
@@ -49,8 +48,9 @@ struct FinishedWood {
 
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c, const ShadingFrame<T>& f) const {
-    const T n(eta), one(1);
-    const Fibre<T> l = seen_from_fibre(f.l, c.n_l), v = seen_from_fibre(f.v, c.n_v);
+    const Coat<P> coat{eta, a};
+    const Fibre<T> l = seen_from_fibre(f.l, coat.refracted_cosine(c.n_l));
+    const Fibre<T> v = seen_from_fibre(f.v, coat.refracted_cosine(c.n_v));
 
     const P width = P(1) / beta;
     const P g_0 = width * P(1 / std::sqrt(2 * std::numbers::pi));
@@ -58,23 +58,11 @@ struct FinishedWood {
     const T g = T(g_0) * exp(T(-0.5) * x * x);
     // cos^2(psi_d / 2) = (1 + cos(psi_d)) / 2. Inside the coat two directions are at most
     // 2 asin(1 / eta) apart, hence it is at least 1 - 1 / eta^2: no 0, and nothing cancels.
-    const T cos2_half_d = T(0.5) * (one + v.cos * l.cos + v.sin * l.sin);
+    const T cos2_half_d = T(0.5) * (T(1) + v.cos * l.cos + v.sin * l.sin);
 
-    const T t_l = one - dielectric_reflectance(c.n_l, n);
-    const T t_v = one - dielectric_reflectance(c.n_v, n);
-    const T through = t_l * t_v * c.n_l;
+    const T through = coat.transmittance(c.n_l) * coat.transmittance(c.n_v) * c.n_l;
     return {.diffuse = kd * through,
-            .glossy = kf * (through * T(std::numbers::pi) * g / cos2_half_d) + ks * coat(c, f)};
-  }
-
-  /// pi f (N.L) of the coat's surface.
-  template <class T>
-  T coat(const Cosines<T>& c, const ShadingFrame<T>& f) const {
-    const microfacet::Ggx<microfacet::Isotropic<P>> facets{{a}};
-    const T D = facets(c.n_h, f.h);
-    const T G = microfacet::smith_correlated(facets.lambda(c.n_l, f.l), facets.lambda(c.n_v, f.v));
-    const T F = dielectric_reflectance(c.v_h, T(eta));
-    return T(std::numbers::pi / 4) * D * G * F / c.n_v;
+            .glossy = kf * (through * T(std::numbers::pi) * g / cos2_half_d) + ks * coat.glossy(c)};
   }
 
   /// A direction inside the coat, seen from the fibre: the angle psi, its sine and cosine.
@@ -82,13 +70,10 @@ struct FinishedWood {
   struct Fibre {
     T psi, sin, cos;
   };
-  /// w is refracted; w_n is its cosine with the normal, which is w.z except where cosines() has
-  /// clamped it.
+  /// w is refracted; z is its cosine with the normal inside.
   template <class T>
-  Fibre<T> seen_from_fibre(const Vec3<T>& w, const T& w_n) const {
-    const T n(eta), inverse = T(1) / n;
-    // 1 - (wx^2 + wy^2) / eta^2, where neither a grazing w nor eta near 1 makes it cancel.
-    const T z = sqrt((n - T(1)) * (n + T(1)) + w_n * w_n) * inverse;
+  Fibre<T> seen_from_fibre(const Vec3<T>& w, const T& z) const {
+    const T inverse(P(1) / eta);
     const Vec3<T> s{w.x * inverse, w.y * inverse, z}, axis{T(u.x), T(u.y), T(u.z)};
     // asin has an infinite slope where s points along the fibre, and magnifies the rounding of s.u;
     // the angle by its sine and cosine does not.

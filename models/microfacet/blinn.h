@@ -42,19 +42,24 @@ struct Blinn {
   }
 };
 
+/// (ex hx^2 + ey hy^2) / (1 - hz^2), the exponent in the azimuth of h. 1 - hz^2 is taken as
+/// hx^2 + hy^2, which does not cancel near the normal; at h = N, where the exponent is 0/0 without
+/// the bound, the power is 1 whatever it is.
+template <class T, class P>
+T exponent_towards(const Vec3<T>& h, const P& ex, const P& ey) {
+  const T x2 = h.x * h.x, y2 = h.y * h.y;
+  return (T(ex) * x2 + T(ey) * y2) / max(x2 + y2, T(1e-30));
+}
+
 template <class P>
 struct AshikhminShirley {
   P ex, ey;
 
   P peak() const { return sqrt((ex + P(2.0)) * (ey + P(2.0))) * P(0.5 * std::numbers::inv_pi); }
 
-  /// 1 - (N.H)^2 is hx^2 + hy^2, which does not cancel. At h = n the exponent would be 0/0 without
-  /// the bound; the power is 1 there whatever it is.
   template <class T>
   T operator()(const Cosine<T>& n_h, const Vec3<T>& h) const {
-    const T x2 = h.x * h.x, y2 = h.y * h.y;
-    const T exponent = (T(ex) * x2 + T(ey) * y2) / max(x2 + y2, T(1e-30));
-    return T(peak()) * pow(n_h, exponent);
+    return T(peak()) * pow(n_h, exponent_towards(h, ex, ey));
   }
 
   template <class T>

@@ -131,7 +131,7 @@ double smith_lambda(double cosine, double a) {
 }
 
 TEST(ClearCoat, IsTheFormulaInItsHeader) {
-  const double eta = 1.4, a = 0.2, internal = models::Coat{eta, a}.internal_reflectance();
+  const double eta = 1.4, a = 0.2, internal = models::internal_reflectance(eta);
   const auto coated =
       models::make("clear-coat:base=(ward:kd=.6,rho=.3,ax=.3,ay=.5),eta=1.4,a=.2").model;
   const auto base = models::make("ward:kd=.6,rho=.3,ax=.3,ay=.5").model;
@@ -164,7 +164,7 @@ TEST(ClearCoat, InternalReflectanceByQuadratureFromInside) {
       const double f = c <= critical ? 1 : fresnel(std::sqrt(1 - eta * eta * (1 - c * c)), eta);
       sum += f * 2 * c / steps;
     }
-    EXPECT_NEAR((models::Coat{eta, 0.05}.internal_reflectance()), sum, 1e-4) << eta;
+    EXPECT_NEAR(models::internal_reflectance(eta), sum, 1e-4) << eta;
   }
 }
 
