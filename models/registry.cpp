@@ -91,6 +91,8 @@ NamedModel make(std::string_view text, const Context& context) {
   const Entry& entry = find(entries(), name, "model");
   const std::string where = "model '" + name + "'";
   if (context.depth == deepest) throw Error(where, "models are nested too deeply");
+  if (context.depth > 0 && entry.info.kind == Kind::part)
+    throw Error(context.where, "'" + name + "' is a part of models and reflects nothing");
   NamedModel result =
       entry.make(entry.info, specification.arguments, {where, context.folder, context.depth + 1});
   result.specification = text;

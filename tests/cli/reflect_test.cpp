@@ -153,6 +153,7 @@ TEST(ReflectValues, BadRowsAreNamedByTheirLine) {
         Bad{"0 0 1.00002 0 0 1\n", "rows:1: l has length 1.00002"},
         Bad{"0 0 0 0 0 1\n", "rows:1: l has length 0"},
         Bad{"lx ly lz vx vy\n0 0 1 0 0\n", "rows:1: these columns are not lx,ly,lz,vx,vy,vz"},
+        Bad{",,,,,\n", "rows:1: these columns are not lx,ly,lz,vx,vy,vz"},
         Bad{"lx ly lz vx vy vz\n0 0 1 0 0 1 0\n", "rows:2: 7 columns"},
         Bad{"lx ly lz vx vy vz\nlx ly lz vx vy vz\n", "rows:2: lx: 'lx' is not a number"}}) {
     folder.write("rows", text);
@@ -340,6 +341,11 @@ TEST(Reflect, RefusesWhatItCannotDo) {
         Bad{"lambert phong --furnace", "--furnace: wants one model, not 2"},
         Bad{"lambert --furnace --log", "--log: has no meaning to --furnace"},
         Bad{"lambert --furnace --precision float", "--precision: has no meaning to --furnace"},
+        Bad{"lambert --plot polar --cell 64 -o a.svg",
+            "--cell: has no meaning to the plot 'polar'"},
+        Bad{"lambert --plot slice --angles 3 -o a.png",
+            "--angles: has no meaning to the plot 'slice'"},
+        Bad{"lambert --values /dev/null", "/dev/null: is a device"},
         Bad{"lambert --furnace --angles 0,,3", "--angles: '' is not a number"},
         Bad{"lambert --furnace --angles 0,90", "--angles: 90 is out of range"},
         Bad{"lambert --furnace --angles nan", "--angles: nan"},

@@ -46,7 +46,7 @@ TEST(SpectrumPlot, RefusesWhatHasNoSpectrum) {
         Bad{"lambert", "no spectrum is known of 'lambert'; of these it is: "},
         Bad{"fresnel:F=schlick", "fresnel:F=METAL"}, Bad{"fresnel:F=conductor", "copper, gold"},
         Bad{"fresnel fresnel", "spectrum wants one model, not 2"},
-        Bad{"fresnel --log", "--log: has no meaning to a spectrum plot"},
+        Bad{"fresnel --log", "--log: has no meaning to the plot 'spectrum'"},
         Bad{"fresnel --angles 0,90", "--angles: 90 is out of range"}}) {
     expect_refusal(
         folder.run(std::string("reflect ") + arguments + " --plot spectrum -o metal.svg"), message);

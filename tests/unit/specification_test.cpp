@@ -54,6 +54,13 @@ TEST(Specification, ParenthesesWithoutPartner) {
             "'checker(a=1)2': there is text after the last parenthesis");
 }
 
+TEST(Specification, ModelsAreNotMadeOfParts) {
+  EXPECT_EQ(error_of("sum:(lambert),(fresnel)"),
+            "model 'sum': 'fresnel' is a part of models and reflects nothing");
+  EXPECT_EQ(error_of("clear-coat:base=(distribution:m=.2)"),
+            "model 'clear-coat': 'distribution' is a part of models and reflects nothing");
+}
+
 TEST(Specification, Choices) {
   EXPECT_EQ(std::get<std::string>(value_of(make("blinn-phong:normalised=1").values, "normalised")),
             "1");

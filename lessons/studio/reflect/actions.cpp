@@ -98,8 +98,6 @@ void write_plot(const ReflectOptions& options, PlotText plot,
 }
 
 void write_spectrum(const ReflectOptions& options) {
-  for (const char* option : {"--azimuth", "--quantity", "--log", "--cell", "--exposure"})
-    if (options.given(option)) throw Error(option, "has no meaning to a spectrum plot");
   write_plot(options, plot_spectrum, {0, 30, 60, 75, 85, 89});
 }
 
@@ -157,18 +155,29 @@ void print_terms(const ReflectOptions& options) {
 }
 
 void plot(const ReflectOptions& options) {
-  using Draw = void (*)(const ReflectOptions&);
-  const Choices<Draw> kinds{
-      {"polar", [](auto& o) { write_plot(o, plot_polar); }},
-      {"cartesian", [](auto& o) { write_plot(o, plot_cartesian); }},
-      {"albedo", [](auto& o) { write_plot(o, plot_albedo); }},
-      {"spectrum", write_spectrum},
-      {"sphere", [](auto& o) { write_picture(o, draw_spheres); }},
-      {"slice", [](auto& o) { write_picture(o, draw_slices); }},
+  struct Plot {
+    void (*draw)(const ReflectOptions&);
+    std::vector<std::string> takes;
   };
-  const Draw draw = choose("--plot", "plot", options.plot, kinds);
+  const Choices<Plot> kinds{
+      {"polar",
+       {[](auto& o) { write_plot(o, plot_polar); }, {"--angles", "--azimuth", "--quantity"}}},
+      {"cartesian",
+       {[](auto& o) { write_plot(o, plot_cartesian); },
+        {"--angles", "--azimuth", "--quantity", "--log"}}},
+      {"albedo", {[](auto& o) { write_plot(o, plot_albedo); }, {"--azimuth"}}},
+      {"spectrum", {write_spectrum, {"--angles"}}},
+      {"sphere",
+       {[](auto& o) { write_picture(o, draw_spheres); }, {"--angles", "--cell", "--exposure"}}},
+      {"slice", {[](auto& o) { write_picture(o, draw_slices); }, {"--cell", "--exposure"}}},
+  };
+  const Plot kind = choose("--plot", "plot", options.plot, kinds);
+  for (const char* option :
+       {"--angles", "--azimuth", "--quantity", "--log", "--cell", "--exposure"})
+    if (options.given(option) && std::ranges::find(kind.takes, option) == kind.takes.end())
+      throw Error(option, "has no meaning to the plot '" + options.plot + "'");
   require_output(options, "--plot");
-  draw(options);
+  kind.draw(options);
 }
 
 void write_table(const ReflectOptions& options) {

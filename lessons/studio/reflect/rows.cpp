@@ -68,7 +68,8 @@ Columns columns_of(const std::string& where, const std::vector<std::string_view>
     found += at != header.end();
   }
   if (found == 6) return columns;
-  if (found == 0 && header.size() == 6) return {};  // other names for the same six
+  const bool named = std::ranges::find(header, "") == header.end();
+  if (found == 0 && header.size() == 6 && named) return {};  // other names for the same six
   throw Error(where, "these columns are not lx,ly,lz,vx,vy,vz");
 }
 
@@ -115,6 +116,8 @@ std::vector<DirectionRow> read_rows(std::string_view text, const std::string& na
 std::string read_all(const std::string& file) {
   if (file == "-") return {std::istreambuf_iterator<char>(std::cin), {}};
   if (std::filesystem::is_directory(file)) throw Error(file, "is a folder");
+  if (std::filesystem::is_character_file(file))  // /dev/zero has no end
+    throw Error(file, "is a device; rows are read from a file, a pipe or - (standard input)");
   std::ifstream stream(file, std::ios::binary);
   if (!stream) throw Error(file, std::string("cannot read: ") + std::strerror(errno));
   return {std::istreambuf_iterator<char>(stream), {}};
