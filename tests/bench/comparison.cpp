@@ -139,16 +139,18 @@ FrameTime frame_time(const nlohmann::json& json) {
 }  // namespace
 
 void to_json(nlohmann::json& json, const SceneResult& r) {
+  const auto if_same = [&](double ratio) { return r.same ? nlohmann::json(ratio) : nullptr; };
   json = {{"scene", r.scene},
           {"threads", r.threads},
           {"scanlit_ms", r.scanlit.median_ms},
           {"peer_ms", r.buffer.median_ms},
-          {"ratio", r.same ? nlohmann::json(r.ratio()) : nlohmann::json()},
+          {"ratio", if_same(r.ratio())},
           {"max_difference", r.max_difference},
           {"mean_difference", r.mean_difference},
           {"peer", r.peer},
           {"frames", r.frames},
-          {"cpu_ratio", r.cpu_ratio()},
+          {"min_ratio", if_same(r.min_ratio())},
+          {"cpu_ratio", if_same(r.cpu_ratio())},
           {"same_picture", r.same},
           {"difference", r.difference},
           {"covered", r.covered},

@@ -29,8 +29,9 @@ struct SceneResult {
 
   /// llvmpipe's time over Scanlit's, medians.
   double ratio() const { return buffer.median_ms / scanlit.median_ms; }
-  /// The same of processor time: what others do on the machine at the same time changes it little,
-  /// and it does not show what a second thread brings.
+  /// The same of least times and of processor time: what others do on the machine at the same time
+  /// changes them little; the latter does not show what a second thread brings.
+  double min_ratio() const { return buffer.min_ms / scanlit.min_ms; }
   double cpu_ratio() const { return buffer.cpu_ms / scanlit.cpu_ms; }
 };
 void to_json(nlohmann::json& json, const SceneResult& result);

@@ -2,8 +2,8 @@
 // by frame in turn, on one thread and on two.
 //
 // llvmpipe takes its number of threads from the environment, so each number has a process of its
-// own, which this program starts. In that environment malloc keeps what it got from the system,
-// for both renderers: llvmpipe otherwise asks anew for its buffers in every frame.
+// own, which this program starts. In that environment malloc keeps what it got from the system, for
+// both renderers, as it does in a program that has been drawing for a while.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>

@@ -1,5 +1,6 @@
 #include "versus_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -24,10 +25,27 @@ const std::vector<std::string>& stage_names() {
 bool draws(const SceneResult& result) { return result.scene != "S0"; }
 
 std::string ratio_text(const SceneResult& result) {
-  if (!result.same) return "differs";
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2f", result.ratio());
+  char text[32] = "differs";
+  if (result.same)
+    std::snprintf(text, sizeof text, "%7.2f %6.2f %6.2f", result.ratio(), result.min_ratio(),
+                  result.cpu_ratio());
   return text;
+}
+
+/// Geometric mean, and least, over the scenes that draw something.
+void print_mean(const char* what, const std::vector<SceneResult>& results,
+                double (SceneResult::*ratio)() const) {
+  double log_sum = 0, least = std::numeric_limits<double>::infinity();
+  int count = 0;
+  for (const SceneResult& result : results) {
+    if (!draws(result) || !result.same) continue;
+    log_sum += std::log((result.*ratio)());
+    least = std::min(least, (result.*ratio)());
+    ++count;
+  }
+  if (count > 0)
+    std::printf("      ratio of %s over %d scenes: geometric mean %.2f, least %.2f\n", what, count,
+                std::exp(log_sum / count), least);
 }
 
 }  // namespace
@@ -35,9 +53,9 @@ std::string ratio_text(const SceneResult& result) {
 void print_header() {
   std::printf(
       "ms per frame, %dx%d, Scanlit's vectors: %s; median (least, processor time)\n"
-      "%-5s %-7s %-22s %-25s %-25s %7s %6s  %-9s %s\n",
+      "%-5s %-7s %-22s %-25s %-25s %7s %6s %6s  %-9s %s\n",
       picture_width, picture_height, vector_level().c_str(), "scene", "threads", "Scanlit",
-      "llvmpipe to a buffer", "llvmpipe, glReadPixels", "ratio", "by cpu", "max, mean",
+      "llvmpipe to a buffer", "llvmpipe, glReadPixels", "ratio", "least", "by cpu", "max, mean",
       "covered pixels");
 }
 
@@ -51,26 +69,18 @@ void print_row(const SceneResult& result) {
   time(result.scanlit, 22);
   time(result.buffer, 25);
   time(result.framebuffer_object, 25);
-  std::printf("%7s %6.2f  %2.0f, %.3f %8lld %lld\n", ratio_text(result).c_str(), result.cpu_ratio(),
-              result.max_difference, result.mean_difference,
-              static_cast<long long>(result.covered[0]), static_cast<long long>(result.covered[1]));
+  std::printf("%-21s  %2.0f, %.3f %8lld %lld\n", ratio_text(result).c_str(), result.max_difference,
+              result.mean_difference, static_cast<long long>(result.covered[0]),
+              static_cast<long long>(result.covered[1]));
   if (!result.same) std::printf("      pictures differ: %s\n", result.difference.c_str());
   std::fflush(stdout);
 }
 
 void print_summary(const std::vector<SceneResult>& results) {
-  double log_sum = 0, least = std::numeric_limits<double>::infinity();
-  int count = 0;
-  for (const SceneResult& result : results) {
-    if (!draws(result) || !result.same) continue;
-    log_sum += std::log(result.ratio());
-    least = std::min(least, result.ratio());
-    ++count;
-  }
+  print_mean("medians", results, &SceneResult::ratio);
+  print_mean("least times", results, &SceneResult::min_ratio);
+  print_mean("processor times", results, &SceneResult::cpu_ratio);
   if (!results.empty()) std::printf("      %s\n", results.front().peer.c_str());
-  if (count > 0)
-    std::printf("      ratio of medians over %d scenes: geometric mean %.2f, least %.2f\n", count,
-                std::exp(log_sum / count), least);
 }
 
 void print_stages(const std::vector<SceneResult>& results) {
