@@ -4,14 +4,11 @@
 #include <sstream>
 #include <string>
 
+#include "tests/cli/output_text.h"
 #include "tests/cli/run_program.h"
 
 namespace scanlit::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 void expect_narrow(const std::string& text) {
   std::istringstream lines(text);

@@ -2,14 +2,11 @@
 #include <gtest/gtest.h>
 
 #include "rasterizer/image.h"
+#include "tests/cli/output_text.h"
 #include "tests/cli/refusal.h"
 
 namespace scanlit::test {
 namespace {
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST(Sheet, ShowsEveryMaterialThereIs) {
   const Folder folder;

@@ -9,16 +9,11 @@
 #include "lessons/studio/reflect/query.h"
 #include "models/registry.h"
 #include "rasterizer/error.h"
+#include "tests/cli/output_text.h"
 #include "tests/cli/refusal.h"
 
 namespace scanlit::test {
 namespace {
-
-std::size_t count_of(const std::string& text, const std::string& part) {
-  std::size_t count = 0;
-  for (std::size_t at = text.find(part); at != text.npos; at = text.find(part, at + 1)) ++count;
-  return count;
-}
 
 TEST(SpectrumPlot, HasACurveForEachAngleEachWavelengthAndEachChannelTwice) {
   const Folder folder;

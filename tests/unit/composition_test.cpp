@@ -4,7 +4,6 @@
 
 #include "models/albedo.h"
 #include "models/clear_coat.h"
-#include "rasterizer/error.h"
 #include "tests/unit/model_queries.h"
 
 namespace scanlit {
@@ -12,15 +11,6 @@ namespace {
 
 using namespace test;
 using std::numbers::pi;
-
-std::string error_of(const std::string& specification) {
-  try {
-    models::make(specification);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 glm::dvec3 upper(std::mt19937& random) {
   glm::dvec3 d = direction(random);

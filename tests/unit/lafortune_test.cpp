@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "rasterizer/error.h"
 #include "tests/unit/model_queries.h"
 
 namespace scanlit {
@@ -10,15 +9,6 @@ namespace {
 
 using namespace test;
 using std::numbers::pi;
-
-std::string error_of(const std::string& specification) {
-  try {
-    models::make(specification);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 TEST(Lafortune, IsThePapersFormula) {
   std::mt19937 random(1);

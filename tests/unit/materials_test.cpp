@@ -7,7 +7,6 @@
 #include <set>
 
 #include "models/albedo.h"
-#include "rasterizer/error.h"
 #include "tests/unit/model_queries.h"
 
 namespace scanlit {
@@ -15,15 +14,6 @@ namespace {
 
 using namespace test;
 using models::NamedMaterial;
-
-std::string error_of(const std::string& specification) {
-  try {
-    models::make(specification);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
-}
 
 std::string named(const NamedMaterial& material) { return "material:" + material.name; }
 

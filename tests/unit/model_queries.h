@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 
 #include "models/registry.h"
+#include "rasterizer/error.h"
 #include "tests/unit/reflection_span.h"
 
 namespace scanlit::test {
@@ -26,6 +28,16 @@ inline std::array<double, 6> in_double(const ReflectionModel& model, const glm::
 inline std::array<float, 6> in_float(const ReflectionModel& model, const glm::vec3& l,
                                      const glm::vec3& v) {
   return channels(model.evaluate(Vec3<float>{l.x, l.y, l.z}, {v.x, v.y, v.z}));
+}
+
+/// The words of the refusal where a specification makes no model.
+inline std::string error_of(std::string_view specification) {
+  try {
+    models::make(specification);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "no error";
 }
 
 /// "0.1": as the registry reads it.

@@ -8,11 +8,12 @@
 #include <set>
 
 #include "models/lambert.h"
-#include "rasterizer/error.h"
 #include "tests/unit/tested_models.h"
 
 namespace scanlit::models {
 namespace {
+
+using test::error_of;
 
 /// The value a parameter has got.
 Rgb<double> value_of(std::string_view specification, const std::string& key) {
@@ -20,15 +21,6 @@ Rgb<double> value_of(std::string_view specification, const std::string& key) {
     if (name == key) return colour_of(value);
   ADD_FAILURE() << "no parameter " << key;
   return {};
-}
-
-std::string error_of(std::string_view specification) {
-  try {
-    make(specification);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(Registry, ListsEveryModelWithWhatThereIsToKnow) {

@@ -3,26 +3,18 @@
 
 #include <gtest/gtest.h>
 
-#include "models/registry.h"
-#include "rasterizer/error.h"
+#include "tests/unit/model_queries.h"
 
 namespace scanlit::models {
 namespace {
+
+using test::error_of;
 
 /// "name[key=value][=value]": what was understood.
 std::string read(const Specification& specification) {
   std::string result = specification.name;
   for (const auto& [key, value] : specification.arguments) result += '[' + key + '=' + value + ']';
   return result;
-}
-
-std::string error_of(const std::string& specification) {
-  try {
-    make(specification);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "no error";
 }
 
 TEST(Specification, KeysAndValues) {

@@ -2,16 +2,12 @@
 // is a unit vector in the surface where it has nowhere to point.
 #include "rasterizer/tangents.h"
 
-#include <unistd.h>
-
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "rasterizer/error.h"
-#include "rasterizer/shapes.h"
+#include "tests/unit/tangent_checks.h"
 #include "tests/unit/test_scene.h"
 
 namespace scanlit {
@@ -55,15 +51,6 @@ std::vector<glm::vec3> tangents_of(const std::vector<SurfacePointAt>& points,
 glm::vec3 tangent_of(const glm::vec3& position, const glm::vec3& normal, const Tangents& tangents,
                      const glm::mat4& world_from_object = identity) {
   return tangents_of({{position, normal}}, tangents, world_from_object)[0];
-}
-
-void expect_vector(const glm::vec3& actual, const glm::vec3& expected, float tolerance = 1e-6f) {
-  for (int c = 0; c < 3; ++c) EXPECT_NEAR(actual[c], expected[c], tolerance) << "component " << c;
-}
-
-bool lies_in_surface(const glm::vec3& tangent, const glm::vec3& normal) {
-  return std::abs(glm::length(glm::dvec3(tangent)) - 1) <= 1e-6 &&
-         std::abs(glm::dot(glm::dvec3(tangent), glm::dvec3(normal))) <= 1e-6;
 }
 
 const Tangents around_y{};
@@ -235,140 +222,7 @@ TEST(Tangents, AreUnitAndInTheSurfaceWhateverTheInput) {
   }));
 }
 
-// --------------------------------------------------------------- the mesh's own, from texcoords
-
-void expect_unit_or_zero(const Mesh& mesh) {
-  ASSERT_EQ(mesh.tangents.size(), mesh.positions.size()) << mesh.name;
-  for (std::size_t v = 0; v < mesh.tangents.size(); ++v)
-    if (mesh.tangents[v] != glm::vec3(0)) {
-      ASSERT_TRUE(lies_in_surface(mesh.tangents[v], mesh.normals[v])) << mesh.name << ' ' << v;
-    }
-}
-
-TEST(MeshTangents, OfShapesFollowTheirSurfaces) {
-  for (const ShapeInfo& shape : shapes()) {
-    const Mesh mesh = make_shape(shape.name);
-    expect_unit_or_zero(mesh);
-    std::size_t none = 0;
-    for (const glm::vec3& t : mesh.tangents) none += t == glm::vec3(0);
-    EXPECT_EQ(none, 0u) << shape.name;
-  }
-  // u grows with longitude, right up to the poles.
-  const int stacks = 32;
-  const Mesh sphere = make_shape("sphere:" + std::to_string(stacks));
-  for (std::size_t v = 0; v < sphere.tangents.size(); ++v) {
-    const glm::vec3& p = sphere.positions[v];
-    if (std::abs(p.y) > 0.999f) continue;
-    const bool seam = std::abs(sphere.texcoords[v].x - 0.5f) > 0.499f;
-    expect_vector(sphere.tangents[v], glm::normalize(glm::cross(glm::vec3(0, 1, 0), p)),
-                  seam ? float(M_PI / (2 * stacks)) : 2e-3f);
-  }
-}
-
-TEST(MeshTangents, PlaneTurnsWithItsTexcoords) {
-  const std::string square = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-  struct Case {
-    std::string texcoords;
-    glm::vec3 expected;
-  };
-  const float d = std::sqrt(0.5f);
-  for (const Case& c : {Case{"vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n", {1, 0, 0}},
-                        Case{"vt 1 0\nvt 0 0\nvt 0 1\nvt 1 1\n", {-1, 0, 0}},  // mirrored
-                        Case{"vt 0 0\nvt 0 1\nvt 7 1\nvt 7 0\n", {0, 1, 0}},
-                        Case{"vt 0 0\nvt .5 -.5\nvt 1 0\nvt .5 .5\n", {d, d, 0}},
-                        Case{"vt .5 0\nvt .5 1\nvt .5 1\nvt .5 0\n", {0, 0, 0}},    // constant u
-                        Case{"vt 0 0\nvt .1 .1\nvt .2 .2\nvt .3 .3\n", {0, 0, 0}},  // on a line
-                        Case{"vt 3 3\nvt 3 3\nvt 3 3\nvt 3 3\n", {0, 0, 0}}}) {
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) /
-                                       ("tangents-" + std::to_string(getpid()) + ".obj");
-    std::ofstream(file) << square << c.texcoords << "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n";
-    const Mesh mesh = load_mesh(file);
-    std::filesystem::remove(file);
-    expect_unit_or_zero(mesh);
-    for (const glm::vec3& t : mesh.tangents) expect_vector(t, c.expected);
-  }
-}
-
-TEST(MeshTangents, AreThereOnlyWhereTexcoordsAre) {
-  EXPECT_TRUE(make_mesh("t", {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}).tangents.empty());
-}
-
-// ------------------------------------------------------------------------------- in a picture
-
-/// Shows the tangent's world coordinates, which are dot products of the frame with fixed l and v.
-class ShowTangent : public ReflectionModel {
- public:
-  Needs needs() const override { return {.frame = true}; }
-  void evaluate(const DirectionSpan& in, const ReflectionSpan& out) const override {
-    for (int c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < in.size; ++i) {
-        out.diffuse[c][i] = in.tangent[c][i];
-        out.glossy[c][i] = in.normal[c][i];
-      }
-  }
-  Reflection<double> evaluate(const Vec3<double>&, const Vec3<double>&,
-                              const SurfacePoint<double>&) const override {
-    return {};
-  }
-  Reflection<float> evaluate(const Vec3<float>&, const Vec3<float>&,
-                             const SurfacePoint<float>&) const override {
-    return {};
-  }
-};
-
-Picture tangents_in_picture(const std::string& shape, const Tangents& tangents, Shading shading,
-                            const RenderSettings& settings = {}) {
-  Object object = object_of(std::make_shared<Mesh>(make_shape(shape)), White(), shading);
-  object.material.model = std::make_shared<ShowTangent>();
-  object.material.tangents = tangents;
-  object.world_from_object = glm::rotate(identity, 0.9f, glm::vec3(1, 0.3f, 0));
-  return picture_of(scene_of({object}), Camera(), 96, 96, settings);
-}
-
-TEST(TangentPictures, AreUnitAndInTheSurfaceAtEveryFragment) {
-  for (const char* shape : {"sphere:8", "cylinder:12", "cone:12", "cube", "plane", "torus:9"})
-    for (const TangentField field :
-         {TangentField::around, TangentField::along, TangentField::texcoord})
-      for (const Shading shading : {Shading::phong, Shading::flat}) {
-        const Picture picture = tangents_in_picture(shape, {.field = field}, shading);
-        ASSERT_GT(picture.stats.covered_pixels, 500);
-        const Framebuffer& f = picture.framebuffer;
-        for (std::size_t i = 0; i < f.pixel_count(); ++i) {
-          if (f.colour[4 * i + 3] == 0) continue;
-          const glm::vec3 t(f.diffuse[3 * i], f.diffuse[3 * i + 1], f.diffuse[3 * i + 2]);
-          const glm::vec3 n(f.glossy[3 * i], f.glossy[3 * i + 1], f.glossy[3 * i + 2]);
-          ASSERT_TRUE(lies_in_surface(t, n)) << shape << ' ' << int(field) << ' ' << int(shading);
-        }
-      }
-}
-
-TEST(TangentPictures, ByTexcoordAndAroundAgreeOnASphere) {
-  const Picture by_position = tangents_in_picture("sphere:64", around_y, Shading::phong);
-  const Picture by_texcoord =
-      tangents_in_picture("sphere:64", {.field = TangentField::texcoord}, Shading::phong);
-  int compared = 0;
-  for (int y = 0; y < 96; ++y)
-    for (int x = 0; x < 96; ++x) {
-      if (by_position.triangle(x, y) == no_id) continue;
-      const float *p = &by_position.framebuffer.diffuse[3 * by_position.index(x, y)],
-                  *q = &by_texcoord.framebuffer.diffuse[3 * by_texcoord.index(x, y)];
-      compared += p[0] * q[0] + p[1] * q[1] + p[2] * q[2] > 0.99f;
-    }
-  // Apart from the triangles at the poles, over which u is not linear.
-  EXPECT_GT(compared, 0.98 * double(by_position.stats.covered_pixels));
-}
-
-TEST(TangentPictures, DoNotDependOnThreads) {
-  RenderSettings one, four;
-  one.threads = 1, four.threads = 4;
-  for (const TangentField field :
-       {TangentField::around, TangentField::along, TangentField::texcoord}) {
-    const Tangents tangents{.field = field, .axis = {0.3f, 1, 0}, .centre = {0.1f, 0, 0}};
-    EXPECT_EQ(
-        tangents_in_picture("cylinder:40", tangents, Shading::phong, one).framebuffer.diffuse,
-        tangents_in_picture("cylinder:40", tangents, Shading::phong, four).framebuffer.diffuse);
-  }
-}
+// ---------------------------------------------------------------------------------- bad input
 
 TEST(Tangents, ABadAxisOrCentreIsAnError) {
   const auto error_of = [](const Tangents& tangents) -> std::string {

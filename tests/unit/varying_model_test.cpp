@@ -9,7 +9,6 @@
 
 #include "models/inputs/checker.h"
 #include "models/registry.h"
-#include "rasterizer/error.h"
 #include "tests/unit/model_queries.h"
 
 namespace scanlit {
@@ -226,19 +225,11 @@ TEST(VaryingModel, ValuesAreBroughtIntoTheParametersRange) {
 }
 
 TEST(VaryingModel, InputsAreRefusedWhereNothingCanVary) {
-  const auto refusal = [](const std::string& specification) -> std::string {
-    try {
-      models::make(specification);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return "no error";
-  };
-  EXPECT_EQ(refusal("lambert:kd=checkers(a=1)"),
+  EXPECT_EQ(error_of("lambert:kd=checkers(a=1)"),
             "unknown input 'checkers'; did you mean 'checker'?");
-  EXPECT_EQ(refusal("lambert:kd=checker(c=1)"),
+  EXPECT_EQ(error_of("lambert:kd=checker(c=1)"),
             "model 'lambert', checker: unknown parameter 'c'; there are: a, b, count");
-  EXPECT_EQ(refusal("blinn-phong:normalised=checker"),
+  EXPECT_EQ(error_of("blinn-phong:normalised=checker"),
             "model 'blinn-phong': 'normalised' cannot vary; it wants one value, not 'checker'");
 }
 
