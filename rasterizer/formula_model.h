@@ -228,23 +228,26 @@ class FormulaModel final : public ReflectionModel {
   template <std::size_t vectors>
   static void evaluate_block(const Formula& formula, const DirectionSpan& in,
                              const ReflectionSpan& out, std::size_t first) {
+    constexpr std::size_t lanes = Batch::lanes;
     Cosines<Batch> c[vectors];
-    ShadingFrame<Batch> frame[vectors];
-    SurfacePoint<Batch> point[vectors];
 #pragma GCC unroll 4
     for (std::size_t k = 0; k < vectors; ++k) {
-      const std::size_t i = first + k * std::size_t(Batch::lanes);
-      const auto n = load_vec3(in.normal, i), l = load_vec3(in.to_light, i),
-                 v = load_vec3(in.to_viewer, i);
-      c[k] = cosines(n, l, v);
-      if constexpr (Takes<Formula>::frame)
-        if (in.tangent[0]) frame[k] = shading_frame(n, load_vec3(in.tangent, i), l, v);
-      if constexpr (Takes<Formula>::point) point[k] = load_point(*in.points, i);
+      const std::size_t i = first + k * lanes;
+      c[k] =
+          cosines(load_vec3(in.normal, i), load_vec3(in.to_light, i), load_vec3(in.to_viewer, i));
     }
 #pragma GCC unroll 4
-    for (std::size_t k = 0; k < vectors; ++k)
-      store(above_horizon(formula, c[k], frame[k], point[k]), out,
-            first + k * std::size_t(Batch::lanes));
+    for (std::size_t k = 0; k < vectors; ++k) {
+      const std::size_t i = first + k * lanes;
+      ShadingFrame<Batch> frame;
+      if constexpr (Takes<Formula>::frame)
+        if (in.tangent[0])
+          frame = shading_frame(load_vec3(in.normal, i), load_vec3(in.tangent, i),
+                                load_vec3(in.to_light, i), load_vec3(in.to_viewer, i));
+      SurfacePoint<Batch> point;
+      if constexpr (Takes<Formula>::point) point = load_point(*in.points, i);
+      store(above_horizon(formula, c[k], frame, point), out, i);
+    }
   }
 
   Formula formula_;
