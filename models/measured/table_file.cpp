@@ -75,7 +75,7 @@ void write_table(const std::filesystem::path& file, std::span<const std::int32_t
     if (write_errno == 0 && std::fwrite(from, 1, bytes, output.stream()) != bytes)
       write_errno = errno != 0 ? errno : EIO;
   };
-  write(header.data(), header.size_bytes());
+  if (!header.empty()) write(header.data(), header.size_bytes());  // UTIA has none
   std::vector<double> numbers(entries.size());
   for (const Plane& plane : planes) {
     for (std::size_t i = 0; i < entries.size(); ++i) numbers[i] = entries[i].*plane.channel;
