@@ -18,7 +18,11 @@ Framebuffer::Framebuffer(int width_pixels, int height_pixels, const Planes& plan
   validate_size(width_pixels, height_pixels);
   width = width_pixels;
   height = height_pixels;
-  colour.resize(4 * pixel_count());
+  format = planes.format;
+  if (format == ColourFormat::linear_float)
+    colour.resize(4 * pixel_count());
+  else
+    rgba8.resize(4 * pixel_count());
   if (planes.depth) depth.resize(pixel_count());
   if (planes.normal) normal.resize(3 * pixel_count());
   if (planes.ids) {

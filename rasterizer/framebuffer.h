@@ -13,8 +13,14 @@ constexpr std::uint32_t no_id = 0xffffffffu;  // object or triangle id where not
 /// Throws Error where a side is not 1..16384.
 void validate_size(int width, int height);
 
-/// Which planes a frame fills beside colour. A plane that is not asked for costs nothing.
+/// What the colour plane is made of. 8-bit codes are what a screen or a file wants: rounded to
+/// nearest, and clamped to [0, 1] before, R first in memory; a quarter of the memory to fill.
+enum class ColourFormat { linear_float, linear_8bit, srgb_8bit };
+
+/// Which planes a frame fills, and how colour is stored. A plane that is not asked for costs
+/// nothing.
 struct Planes {
+  ColourFormat format = ColourFormat::linear_float;
   bool depth = false;   // larger is nearer; 0 where nothing is covered
   bool normal = false;  // world space, unit, as shaded; (0,0,0) where nothing is covered
   bool ids = false;     // object: index in Scene::objects; triangle: index in its Mesh
@@ -28,7 +34,9 @@ struct Planes {
 /// over the samples; depth and ids are those of sample 0.
 struct Framebuffer {
   int width = 0, height = 0;
-  std::vector<float> colour;  // RGBA, linear, premultiplied; alpha is the covered share 0..1
+  ColourFormat format = ColourFormat::linear_float;
+  std::vector<float> colour;        // RGBA, linear, premultiplied; alpha is the covered share 0..1
+  std::vector<std::uint8_t> rgba8;  // the same in 8 bits, instead of colour; alpha is linear
   std::vector<float> depth;
   std::vector<float> normal;  // xyz
   std::vector<std::uint32_t> object_id, triangle_id;
@@ -40,7 +48,7 @@ struct Framebuffer {
 
   std::size_t pixel_count() const { return std::size_t(width) * std::size_t(height); }
   Planes planes() const {
-    return {!depth.empty(), !normal.empty(), !object_id.empty(), !ambient.empty()};
+    return {format, !depth.empty(), !normal.empty(), !object_id.empty(), !ambient.empty()};
   }
 };
 

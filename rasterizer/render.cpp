@@ -174,8 +174,35 @@ const char* name(Stage stage) {
   return names[std::size_t(stage)];
 }
 
+std::span<const SkipSwitch> skip_switches() {
+  static constexpr SkipSwitch switches[] = {{"outside-objects", &Skips::outside_objects},
+                                            {"outside-clusters", &Skips::outside_clusters},
+                                            {"back-facing-clusters", &Skips::back_facing_clusters},
+                                            {"unseen-triangles", &Skips::unseen_triangles},
+                                            {"clip-tests", &Skips::clip_tests},
+                                            {"hidden-triangles", &Skips::hidden_triangles},
+                                            {"hidden-fragments", &Skips::hidden_fragments},
+                                            {"empty-pixels", &Skips::empty_pixels},
+                                            {"dark-lights", &Skips::dark_lights},
+                                            {"far-directions", &Skips::far_directions},
+                                            {"unused-attributes", &Skips::unused_attributes}};
+  return switches;
+}
+
+struct Renderer::State {};
+
+Renderer::Renderer() : state_(std::make_unique<State>()) {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
+
 FrameStats render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                   Framebuffer& framebuffer) {
+  return Renderer().render(scene, camera, settings, framebuffer);
+}
+
+FrameStats Renderer::render(const Scene& scene, const Camera& camera,
+                            const RenderSettings& settings, Framebuffer& framebuffer) {
   const auto start = Clock::now();
   validate(scene);
   validate(camera);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <memory>
+#include <span>
 
 #include "rasterizer/camera.h"
 #include "rasterizer/framebuffer.h"
@@ -15,12 +17,41 @@ namespace scanlit {
 /// classical scanline hardware did, to show its error.
 enum class Interpolation { perspective, screen_linear };
 
+/// Work that no picture shows. Each is a switch, on by default; with it off the work is done and
+/// the picture is the same to the bit, which is how the skip benchmark measures what it saves.
+struct Skips {
+  bool outside_objects = true;       // objects whose bounds lie outside the view
+  bool outside_clusters = true;      // of the rest, clusters of triangles outside the view
+  bool back_facing_clusters = true;  // clusters whose triangles all face away
+  bool unseen_triangles = true;      // back faces, and triangles between the sample positions,
+                                     // before they are sorted into tiles
+  bool clip_tests = true;            // of clusters that lie wholly inside of the guard band
+  bool hidden_triangles = true;      // those behind a tile's coarse depth; nearest first
+  bool hidden_fragments = true;      // off: every fragment is shaded that is nearest when it is
+                                     // drawn, not only those that stay (with one sample a pixel)
+  bool empty_pixels = true;          // rows and columns of a tile that no triangle touches
+  bool dark_lights = true;           // lights that do not reach a span, or stand behind it
+  bool far_directions = true;        // per-point L and V where viewer and light are infinitely far
+  bool unused_attributes = true;     // what the shading of an object does not look at
+
+  friend bool operator==(const Skips&, const Skips&) = default;
+};
+
+/// The switches by name, for programs that offer them.
+struct SkipSwitch {
+  const char* name;  // such as "outside-objects"
+  bool Skips::*member;
+};
+std::span<const SkipSwitch> skip_switches();
+
 struct RenderSettings {
   int samples = 1;  // coverage samples a pixel: 1, 4, 8 or 16
   int threads = 0;  // 0 (all cores)..1024; the picture does not depend on it
   Interpolation interpolation = Interpolation::perspective;
-  bool clamp_vertex_colours = false;       // Gouraud: clamp to [0,1] at the vertices, as OpenGL's
-                                           // fixed-point colours were
+  bool clamp_vertex_colours = false;  // Gouraud: clamp to [0,1] at the vertices, as OpenGL's
+                                      // fixed-point colours were
+  Skips skips{};
+  bool reuse = false;  // Renderer: what has not changed since its last frame stands. Costs memory.
   std::function<void(double)> progress{};  // called with 0..1, from any thread, one call at a time
 };
 
@@ -46,8 +77,27 @@ struct FrameStats {
   int threads = 0;
 };
 
-/// Draws the scene into the framebuffer, replacing what it held.
-/// Throws Error where camera, scene or settings are out of range.
+/// Draws frames, and keeps its memory from one to the next: the first is slower. Results are kept
+/// only where RenderSettings::reuse asks for it. One frame at a time.
+class Renderer {
+ public:
+  Renderer();
+  Renderer(Renderer&&) noexcept;
+  Renderer& operator=(Renderer&&) noexcept;
+  ~Renderer();
+
+  /// Draws the scene into the framebuffer, replacing what it held. With settings.reuse the
+  /// framebuffer must still hold what this Renderer drew into it last, if it is the same one.
+  /// Throws Error where camera, scene or settings are out of range.
+  FrameStats render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                    Framebuffer& framebuffer);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+/// One frame, by a Renderer of its own.
 FrameStats render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                   Framebuffer& framebuffer);
 
