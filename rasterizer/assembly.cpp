@@ -1,110 +1,249 @@
-// (6) Bins: vertices become triangles; what cannot be seen is dropped, what is cut is cut (4), and
-// the rest is sorted into the tiles it may touch.
+// (6) Assembly: the vertices of a cluster become triangles; what cannot be seen is dropped, what is
+// cut is cut (4), and the rest is sorted into the tiles it may touch.
 #include <algorithm>
-#include <atomic>
 
-#include "rasterizer/scan_conversion.h"
+#include "rasterizer/cluster_culling.h"
+#include "rasterizer/shading.h"
+#include "rasterizer/stage_timer.h"
+#include "rasterizer/triangle_culling.h"
 
 namespace scanlit {
 
 namespace {
 
-/// Why a triangle, or a piece of one, is or is not drawn; a cut triangle counts as the largest of
-/// its pieces'.
-enum class Fate { outside, no_pixel, back_facing, drawn };
+/// A triangle's place in one tile, before the tiles are in order.
+struct Placed {
+  std::uint32_t tile;
+  BinEntry entry;
+  Rect pixels;
+};
 
-/// The pixels whose sample positions the triangle's box can hold; may be empty.
-Rect pixel_bounds(const ScreenTriangle& t, int samples) {
-  if (samples == 1) return centre_bounds(t);
-  // More samples than one lie anywhere in their pixel.
-  const auto [a, b, c] = t.vertices;
-  const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
-  const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
-  return {x_min >> 8, y_min >> 8, (x_max >> 8) + 1, (y_max >> 8) + 1};
-}
+/// What a thread keeps from chunk to chunk.
+struct Scratch {
+  ClusterVertices vertices;
+  CulledCluster culled;
+  std::vector<Placed> placed;
+};
 
-bool empty(const Rect& r) { return r.x_begin >= r.x_end || r.y_begin >= r.y_end; }
+class Assembler {
+ public:
+  Assembler(const Frame& frame, Chunk& chunk, Scratch& scratch)
+      : frame_(frame),
+        draw_(*chunk.draw),
+        chunk_(chunk),
+        vertices_(scratch.vertices),
+        culled_(scratch.culled),
+        placed_(scratch.placed),
+        culler_(draw_, frame.viewport) {}
 
-Fate bin(const Frame& frame, const Draw& draw, TriangleId id, const ScreenTriangle& triangle,
-         Chunk& chunk) {
-  if (triangle.twice_area == 0) return Fate::no_pixel;
-  const bool back_facing = (triangle.twice_area < 0) != draw.mirrored;
-  if (back_facing && !draw.draw_back_faces) return Fate::back_facing;
+  void run() {
+    placed_.clear();
+    const auto& clusters = draw_.clusters->clusters;
+    for (std::uint32_t i = chunk_.first_cluster; i < chunk_.end_cluster; ++i) add(clusters[i]);
+    sort_into_bins();
+  }
 
-  Rect r = pixel_bounds(triangle, frame.settings.samples);
-  if (empty(r)) return Fate::no_pixel;
-  r = {std::max(r.x_begin, 0), std::max(r.y_begin, 0), std::min(r.x_end, frame.viewport.width),
-       std::min(r.y_end, frame.viewport.height)};
-  if (empty(r)) return Fate::outside;
+ private:
+  const Skips& skips() const { return frame_.settings.skips; }
 
-  const TileGrid& grid = frame.grid;
-  for (int row = r.y_begin / grid.tile_height; row <= (r.y_end - 1) / grid.tile_height; ++row)
-    for (int column = r.x_begin / grid.tile_width; column <= (r.x_end - 1) / grid.tile_width;
-         ++column)
-      chunk.bins[std::size_t(row) * std::size_t(grid.columns) + std::size_t(column)].push_back(id);
-  return Fate::drawn;
-}
+  void add(const Cluster& cluster) {
+    FrameStats& counts = chunk_.counts;
+    counts.triangles += cluster.triangle_count;
+    ++counts.clusters;
+    const ClusterView view = culler_.view(cluster);
+    if (view == ClusterView::outside && skips().outside_clusters) {
+      counts.outside += cluster.triangle_count;
+      ++counts.clusters_outside;
+      return;
+    }
+    if (view == ClusterView::back_facing && skips().back_facing_clusters) {
+      counts.back_facing += cluster.triangle_count;
+      ++counts.clusters_back_facing;
+      return;
+    }
+    cluster_ = &cluster;
+    if (chunk_.draw->object->shading == Shading::gouraud)
+      for (auto& side : site_of_) std::fill_n(side, cluster.vertex_count, no_site);
+    transform_vertices(draw_, cluster, frame_.viewport, vertices_);
+    counts.vertices += cluster.vertex_count;
+    if (vertices_.any_outcode == 0 && skips().clip_tests && skips().unseen_triangles)
+      add_whole();
+    else
+      for (int i = 0; i < int(cluster.triangle_count); ++i) add_with_outcodes(i);
+  }
 
-/// Flat and Gouraud: the sites whose colour a drawn triangle will ask for.
-void mark_sites(const Draw& draw, std::uint32_t triangle, bool back_facing, LitSites& sites) {
-  const auto mark = [&](std::size_t site, std::uint8_t how) {
-    // Chunks share vertices, so two threads may mark one site.
-    std::atomic_ref<std::uint8_t>(sites.needed[site]).store(how, std::memory_order_relaxed);
-  };
-  if (draw.object->shading == Shading::flat)
-    mark(triangle, back_facing ? LitSites::from_behind : LitSites::from_front);
-  if (draw.object->shading == Shading::gouraud)
-    for (int corner = 0; corner < 3; ++corner)
-      mark(vertex_site(draw, triangle, corner, back_facing), LitSites::from_front);
-}
+  /// A cluster none of whose vertices is outside of anything.
+  void add_whole() {
+    FrameStats& counts = chunk_.counts;
+    culled_.drawn_count = culled_.large_count = 0;
+    culled_.outside = culled_.no_pixel = culled_.back_facing = 0;
+    cull_cluster(draw_, *cluster_, vertices_, frame_.viewport, frame_.settings.samples, culled_);
+    counts.outside += culled_.outside;
+    counts.no_pixel += culled_.no_pixel;
+    counts.back_facing += culled_.back_facing;
+    counts.drawn += culled_.drawn_count;
+    for (int i = 0; i < culled_.drawn_count; ++i) {
+      const ScreenTriangle t = screen(culled_.drawn[i]);
+      emit(t, culled_.drawn[i], DrawnTriangle::not_cut);
+    }
+    for (int i = 0; i < culled_.large_count; ++i)
+      count(add_whole(screen(culled_.large[i]), culled_.large[i], DrawnTriangle::not_cut));
+  }
+
+  /// A triangle, or a piece of one, that need not be cut.
+  Fate add_whole(const ScreenTriangle& t, int local, std::uint32_t piece) {
+    const Fate fate = cull(t, draw_, frame_.viewport, frame_.settings.samples);
+    if (fate == Fate::drawn || !skips().unseen_triangles) emit(t, local, piece);
+    return fate;
+  }
+
+  void add_with_outcodes(int local) {
+    unsigned any = 0, all = 0xff;
+    for (int corner = 0; corner < 3; ++corner) {
+      const unsigned code = vertices_.outcodes[local_vertex(local, corner)];
+      any |= code, all &= code;
+    }
+    if (any == 0) {
+      count(add_whole(screen(local), local, DrawnTriangle::not_cut));
+    } else if (all != 0 || (any & out_of_range) != 0) {
+      count(Fate::outside);
+    } else {
+      count(add_cut(local, any));
+    }
+  }
+
+  Fate add_cut(int local, unsigned outcodes) {
+    ClipVertex corners[3];
+    for (int corner = 0; corner < 3; ++corner) {
+      const std::uint32_t local_v = local_vertex(local, corner);
+      const std::uint32_t v = draw_.clusters->vertices[cluster_->first_vertex + local_v];
+      corners[corner] = transform(draw_, draw_.mesh->positions[v]);
+    }
+    auto& pieces = chunk_.pieces;
+    const std::size_t first = pieces.size();
+    clip(corners, outcodes, frame_.viewport, pieces);
+    Fate fate = Fate::outside;
+    for (std::size_t i = first; i < pieces.size(); ++i) {
+      const auto& v = pieces[i].vertices;
+      fate = std::max(fate, add_whole(screen_triangle(v[0], v[1], v[2]), local, std::uint32_t(i)));
+    }
+    chunk_.counts.clipped += fate == Fate::drawn;
+    return fate;
+  }
+
+  void count(Fate fate) {
+    FrameStats& counts = chunk_.counts;
+    switch (fate) {
+      case Fate::outside: ++counts.outside; break;
+      case Fate::no_pixel: ++counts.no_pixel; break;
+      case Fate::back_facing: ++counts.back_facing; break;
+      case Fate::drawn: ++counts.drawn; break;
+    }
+  }
+
+  std::uint32_t local_vertex(int local, int corner) const {
+    return draw_.clusters->corners[corner][cluster_->first_triangle + std::size_t(local)];
+  }
+  ScreenTriangle screen(int local) const {
+    const ScreenVertex* v = vertices_.screen;
+    return screen_triangle(v[local_vertex(local, 0)], v[local_vertex(local, 1)],
+                           v[local_vertex(local, 2)]);
+  }
+
+  /// The triangle, or piece, is to be scan-converted: a record, its sites, its tiles.
+  void emit(const ScreenTriangle& t, int local, std::uint32_t piece) {
+    const std::uint32_t number =
+        draw_.clusters->triangles[cluster_->first_triangle + std::size_t(local)];
+    const auto record = std::uint32_t(chunk_.triangles.size());
+    chunk_.triangles.push_back(
+        {{t.vertices[0], t.vertices[1], t.vertices[2]}, draw_.index, number, chunk_.index, piece});
+    const bool behind = (t.twice_area < 0) != draw_.mirrored;
+    if (draw_.object->shading == Shading::flat)
+      chunk_.lit.sites.push_back({number, behind});
+    else if (draw_.object->shading == Shading::gouraud)
+      for (int corner = 0; corner < 3; ++corner)
+        chunk_.lit.corners.push_back(vertex_site(local_vertex(local, corner), behind));
+
+    // What hits no sample position and was not dropped has a place all the same: its box's pixels.
+    const int samples = skips().unseen_triangles ? frame_.settings.samples : 0;
+    const Rect r = intersection(pixel_bounds(t, samples), picture_rect(frame_.viewport));
+    if (r.empty()) return;
+    const float nearest = std::max({t.vertices[0].depth, t.vertices[1].depth, t.vertices[2].depth});
+    const TileGrid& grid = frame_.grid;
+    const int last_row = (r.y_end - 1) / grid.tile_height;
+    const int last_column = (r.x_end - 1) / grid.tile_width;
+    for (int row = r.y_begin / grid.tile_height; row <= last_row; ++row)
+      for (int column = r.x_begin / grid.tile_width; column <= last_column; ++column) {
+        const auto tile = std::uint32_t(row * grid.columns + column);
+        placed_.push_back({tile, {record, nearest}, intersection(r, grid.tile(int(tile)))});
+      }
+  }
+
+  /// The site of a vertex of the present cluster: made when first asked for.
+  std::uint32_t vertex_site(std::uint32_t local, bool behind) {
+    std::uint32_t& site = site_of_[behind][local];
+    if (site == no_site) {
+      site = std::uint32_t(chunk_.lit.sites.size());
+      const std::uint32_t v = draw_.clusters->vertices[cluster_->first_vertex + local];
+      chunk_.lit.sites.push_back({v, behind});
+    }
+    return site;
+  }
+
+  /// A counting sort by tile; in each tile the order stays.
+  void sort_into_bins() {
+    chunk_.bins.clear();
+    chunk_.entries.resize(placed_.size());
+    if (placed_.empty()) return;
+    const auto [low, high] = std::ranges::minmax_element(placed_, {}, &Placed::tile);
+    const std::uint32_t first_tile = low->tile;
+    chunk_.first_tile = int(first_tile);
+    chunk_.bins.resize(high->tile - first_tile + 1);
+    for (const Placed& p : placed_) {
+      Bin& bin = chunk_.bins[p.tile - first_tile];
+      const Rect& r = p.pixels;
+      bin.touched = bin.end++ == 0 ? r : united(bin.touched, r);
+      bin.pixels += std::int64_t(r.x_end - r.x_begin) * (r.y_end - r.y_begin);
+    }
+    std::uint32_t position = 0;
+    for (Bin& bin : chunk_.bins) {
+      const std::uint32_t size = bin.end;
+      bin.begin = bin.end = position;
+      position += size;
+    }
+    for (const Placed& p : placed_)
+      chunk_.entries[chunk_.bins[p.tile - first_tile].end++] = p.entry;
+  }
+
+  static constexpr std::uint32_t no_site = 0xffffffffu;
+
+  const Frame& frame_;
+  const Draw& draw_;
+  Chunk& chunk_;
+  ClusterVertices& vertices_;
+  CulledCluster& culled_;
+  std::vector<Placed>& placed_;
+  ClusterCuller culler_;
+  const Cluster* cluster_ = nullptr;
+  std::uint32_t site_of_[2][ClusterVertices::capacity];
+};
 
 }  // namespace
 
-void assemble(std::uint32_t begin, std::uint32_t end, Frame& frame, Chunk& chunk) {
-  chunk.bins.resize(std::size_t(frame.grid.count()));
-  std::int64_t fates[4] = {};
-  const Draw* draw = nullptr;
-  std::uint32_t draw_end = begin;
-  for (std::uint32_t id = begin; id < end; ++id) {
-    if (id >= draw_end) {
-      draw = &frame.draw_of(id);
-      draw_end = draw->first_triangle + std::uint32_t(draw->mesh->triangle_count());
-    }
-    const std::uint32_t triangle = id - draw->first_triangle;
-    const std::uint32_t* index = &draw->mesh->indices[3 * std::size_t(triangle)];
-    const std::uint8_t* codes = &frame.outcodes[draw->first_vertex];
-    const unsigned a = codes[index[0]], b = codes[index[1]], c = codes[index[2]];
-
-    Fate fate = Fate::outside;
-    bool front = false, back = false;
-    const auto add = [&](TriangleId part, const ScreenTriangle& t) {
-      const Fate part_fate = bin(frame, *draw, part, t, chunk);
-      fate = std::max(fate, part_fate);
-      if (part_fate == Fate::drawn) ((t.twice_area < 0) != draw->mirrored ? back : front) = true;
-    };
-    if ((a | b | c) == 0) {
-      add(id, frame.triangle(id));
-    } else if ((a & b & c) == 0 && ((a | b | c) & out_of_range) == 0) {
-      const auto first = chunk.pieces.size();
-      const auto& positions = draw->mesh->positions;
-      clip({transform(*draw, positions[index[0]]), transform(*draw, positions[index[1]]),
-            transform(*draw, positions[index[2]])},
-           a | b | c, frame.viewport, id, chunk.pieces);
-      for (auto i = first; i < chunk.pieces.size(); ++i) {
-        const auto& v = chunk.pieces[i].vertices;
-        add(TriangleId(i) | is_piece, screen_triangle(v[0], v[1], v[2]));
-      }
-      chunk.counts.clipped += fate == Fate::drawn;
-    }
-    ++fates[int(fate)];
-    if (front) mark_sites(*draw, triangle, false, frame.lit_sites[draw->index]);
-    if (back) mark_sites(*draw, triangle, true, frame.lit_sites[draw->index]);
+void assemble(const Frame& frame, Chunk& chunk, FrameStats& stats) {
+  thread_local Scratch scratch;
+  chunk.triangles.clear();
+  chunk.pieces.clear();
+  chunk.lit.sites.clear();
+  chunk.lit.corners.clear();
+  chunk.counts = {};
+  {
+    const StageTimer timer(stats, Stage::assembly);
+    Assembler(frame, chunk, scratch).run();
   }
-  chunk.counts.triangles = end - begin;
-  chunk.counts.outside = fates[int(Fate::outside)];
-  chunk.counts.no_pixel = fates[int(Fate::no_pixel)];
-  chunk.counts.back_facing = fates[int(Fate::back_facing)];
-  chunk.counts.drawn = fates[int(Fate::drawn)];
+  if (chunk.draw->object->shading == Shading::phong) return;
+  const StageTimer timer(stats, Stage::light_vertices);
+  light_sites(frame, *chunk.draw, chunk.lit, stats);
 }
 
 Rect TileGrid::tile(int index) const {
@@ -127,24 +266,6 @@ TileGrid make_tile_grid(const Viewport& viewport, int samples) {
   grid.columns = (viewport.width + grid.tile_width - 1) / grid.tile_width;
   grid.rows = (viewport.height + grid.tile_height - 1) / grid.tile_height;
   return grid;
-}
-
-const Draw& Frame::draw_of(std::uint32_t triangle) const {
-  const auto after =
-      std::upper_bound(draws.begin(), draws.end(), triangle,
-                       [](std::uint32_t t, const Draw& draw) { return t < draw.first_triangle; });
-  return *(after - 1);
-}
-
-ScreenTriangle Frame::triangle(TriangleId id) const {
-  if (id & is_piece) {
-    const auto& v = pieces[id ^ is_piece].vertices;
-    return screen_triangle(v[0], v[1], v[2]);
-  }
-  const Draw& draw = draw_of(id);
-  const std::uint32_t* index = &draw.mesh->indices[3 * std::size_t(id - draw.first_triangle)];
-  const ScreenVertex* v = &screen_vertices[draw.first_vertex];
-  return screen_triangle(v[index[0]], v[index[1]], v[index[2]]);
 }
 
 }  // namespace scanlit

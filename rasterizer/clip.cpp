@@ -87,7 +87,7 @@ Polygon clip(const Polygon& polygon, Outside plane, double guard_x, double guard
 }  // namespace
 
 void clip(const ClipVertex (&triangle)[3], unsigned outcodes, const Viewport& viewport,
-          std::uint32_t source, std::vector<ClippedTriangle>& pieces) {
+          std::vector<ClippedTriangle>& pieces) {
   Polygon polygon;
   for (const ClipVertex& v : triangle) {
     Corner& c = polygon.corners[polygon.size];
@@ -116,7 +116,6 @@ void clip(const ClipVertex (&triangle)[3], unsigned outcodes, const Viewport& vi
   };
   for (int i = 2; i < polygon.size; ++i) {
     ClippedTriangle& piece = pieces.emplace_back();
-    piece.source = source;
     fill(piece, 0, polygon.corners[0]);
     fill(piece, 1, polygon.corners[i - 1]);
     fill(piece, 2, polygon.corners[i]);

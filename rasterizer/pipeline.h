@@ -2,11 +2,12 @@
 // elaborated in the file named beside it.
 //
 //   (1) mesh             mesh.h             a file or a shape becomes flat arrays      object space
+//       clusters         mesh/clusters.h    and is cut into clusters of triangles      object space
 //   (2) camera, scene    camera.h, scene.h  where things are, and who looks            world
-//   (3) vertex stage     vertex_stage.cpp   every vertex, once                         clip space
+//   (3) vertex stage     vertex_stage.cpp   the vertices of a cluster that may be seen clip space
 //   (4) clip             clip.cpp           the few triangles that leave the volume    clip
 //   (5) project, snap    vertex_stage.cpp   divide by w, round to 1/256 pixel          screen space
-//   (6) bins             assembly.cpp       cull; sort triangles into tiles            screen
+//   (6) assembly         assembly.cpp       cull triangles; sort the rest into tiles   screen
 //   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
@@ -20,8 +21,8 @@
 // of formula_model.h.
 //
 // Visibility comes first and shading after it, once per visible fragment: what is hidden is never
-// shaded. render.cpp runs (3) to (6) over chunks of vertices and triangles, and tile.cpp (7) to
-// (10) tile by tile, each tile small enough to stay in the cache.
+// shaded. render.cpp runs (3) to (6) cluster by cluster, and tile.cpp (7) to (10) tile by tile:
+// both small enough to stay in the cache.
 //
 // Conventions, said once:
 //  * Object and world space are right-handed. The camera looks along -z of its own space, +y up.
@@ -44,6 +45,7 @@
 #include <glm/mat4x4.hpp>
 #include <span>
 
+#include "rasterizer/mesh/clusters.h"
 #include "rasterizer/render.h"
 
 namespace scanlit {
@@ -95,13 +97,23 @@ struct Viewport {
 struct Draw {
   const Object* object;
   const Mesh* mesh;
-  std::uint32_t index;           // in Scene::objects
-  std::uint32_t first_vertex;    // of its vertices in Frame::screen_vertices
-  std::uint32_t first_triangle;  // of its triangles in the frame's numbering
+  std::shared_ptr<const MeshClusters> clusters;
+  std::uint32_t index;  // in Scene::objects
   glm::mat4 clip_from_object;
   glm::mat3 normal_from_object;  // world normal = this * object normal, not yet unit
   bool draw_back_faces;
   bool mirrored;  // the transform reverses orientation
+};
+
+/// A cluster's vertices on the screen, and which planes each is outside of. Element i is the
+/// cluster's own vertex i; x and y stand apart once more, for vectors to gather.
+struct ClusterVertices {
+  static constexpr int capacity = 256;
+
+  ScreenVertex screen[capacity];
+  std::int32_t x[capacity], y[capacity];
+  std::uint8_t outcodes[capacity];
+  std::uint8_t any_outcode;  // outside of any plane: the bitwise or of all
 };
 
 // -------------------------------------------------------------------------------------- (4) clip
@@ -110,14 +122,13 @@ struct Draw {
 struct ClippedTriangle {
   ScreenVertex vertices[3];
   float barycentric[3][3];  // [corner][vertex of the source triangle]; rows sum to 1
-  std::uint32_t source;     // the triangle it was cut from, in the frame's numbering
 };
 
 /// Cuts a triangle by the planes in `outcodes` (those that at least one of its vertices is outside
 /// of) and appends the pieces. A cut point depends on the two ends of its edge alone, taken from
 /// inside to outside: two triangles that share an edge cut it at the same point.
 void clip(const ClipVertex (&triangle)[3], unsigned outcodes, const Viewport& viewport,
-          std::uint32_t source, std::vector<ClippedTriangle>& pieces);
+          std::vector<ClippedTriangle>& pieces);
 
 // --------------------------------------------------------------------------- (5) project and snap
 
@@ -143,11 +154,13 @@ inline ScreenTriangle screen_triangle(const ScreenVertex& a, const ScreenVertex&
   return {{a, b, c}, edge_function(a, b, c.x, c.y)};
 }
 
-// -------------------------------------------------------------------------------------- (6) bins
+// ---------------------------------------------------------------------------------- (6) assembly
 
 /// Pixels [x_begin, x_end) x [y_begin, y_end).
 struct Rect {
   int x_begin, y_begin, x_end, y_end;
+
+  bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
 };
 
 /// The picture cut into tiles: bands of scanlines where a whole band stays in the cache, pieces of
@@ -161,32 +174,65 @@ struct TileGrid {
 };
 TileGrid make_tile_grid(const Viewport& viewport, int samples);
 
-/// Which triangle: its number in the frame, or, with the top bit set, the number of a piece in
-/// Frame::pieces.
-using TriangleId = std::uint32_t;
-constexpr TriangleId is_piece = 0x80000000u;
-constexpr TriangleId no_triangle = 0xffffffffu;
+/// A triangle that scan conversion will see, or a piece of one that was cut: one line of the cache.
+struct alignas(64) DrawnTriangle {
+  ScreenVertex vertices[3];
+  std::uint32_t draw;      // Draw::index
+  std::uint32_t triangle;  // in the mesh
+  std::uint32_t chunk;     // which holds it
+  std::uint32_t piece;     // in the chunk's pieces, or not_cut
 
-/// What assembly made of one chunk of consecutive triangles. Each bin lists, in drawing order, the
-/// triangles that may touch its tile. Pieces are numbered from 0 in each chunk; first_piece is
-/// added when all chunks are known.
-struct Chunk {
-  std::vector<std::vector<TriangleId>> bins;
-  std::vector<ClippedTriangle> pieces;
-  std::uint32_t first_piece = 0;
-  FrameStats counts;
+  static constexpr std::uint32_t not_cut = 0xffffffffu;
 };
 
+/// Of two triangles, the one that is drawn first: at equal depth it stays.
+inline bool drawn_before(const DrawnTriangle& a, const DrawnTriangle& b) {
+  return a.draw != b.draw ? a.draw < b.draw : a.triangle < b.triangle;
+}
+
 /// Flat and Gouraud: the places where the reflection model is evaluated before any fragment is, and
-/// the colours it gave. A site is a face of a flat object, or a vertex of a Gouraud object (where
-/// back faces are drawn, vertex v seen from behind is site v + vertex count). Phong has none.
+/// the colours it gave. Phong has none.
 struct LitSites {
   static constexpr int colour = 0, ambient = 3, diffuse = 6, glossy = 9;  // first channel of each
-  int channels = 3;  // colour alone, or with its parts
-  static constexpr std::uint8_t from_front = 1, from_behind = 2;
-  std::vector<std::uint8_t> needed;  // 0, or how a triangle that is drawn needs it; from_behind is
-                                     // for faces only: their normal is flipped
-  std::vector<float> values;         // channels a site
+
+  struct Site {
+    std::uint32_t element;  // of the mesh: a triangle (flat), or a vertex (Gouraud)
+    bool from_behind;       // its normal is flipped
+  };
+  std::vector<Site> sites;
+  std::vector<std::uint32_t> corners;  // Gouraud: the sites of triangle i are 3 i .. 3 i + 2; flat:
+                                       // none, the site of triangle i is i
+  int channels = 3;                    // colour alone, or with its parts
+  std::vector<float> values;           // channels a site
+};
+
+/// What one tile gets of one chunk.
+struct Bin {
+  std::uint32_t begin = 0, end = 0;  // in Chunk::entries
+  Rect touched{};                    // the pixels in the tile that they may touch
+  std::int64_t pixels = 0;           // in their boxes, summed: an estimate of the work
+};
+
+/// A triangle in a bin.
+struct BinEntry {
+  std::uint32_t triangle;  // in Chunk::triangles
+  float nearest;           // its greatest depth
+};
+
+/// Some clusters of one draw, and what assembly made of them.
+struct Chunk {
+  const Draw* draw = nullptr;
+  std::uint32_t index = 0;  // in Frame::chunks
+  std::uint32_t first_cluster = 0, end_cluster = 0;
+  std::vector<DrawnTriangle> triangles;
+  std::vector<ClippedTriangle> pieces;  // (4)
+  LitSites lit;                         // (9)
+  int first_tile = 0;                   // bins[i] is tile first_tile + i's
+  std::vector<Bin> bins;
+  std::vector<BinEntry> entries;
+  FrameStats counts;
+
+  std::size_t number_of(const DrawnTriangle& t) const { return std::size_t(&t - triangles.data()); }
 };
 
 /// Everything known of the frame that is being drawn. Each stage reads what earlier ones filled.
@@ -196,41 +242,43 @@ struct Frame {
   const RenderSettings& settings;
   Viewport viewport;
   TileGrid grid;
-  std::vector<Draw> draws;                    // (2)
-  std::vector<ScreenVertex> screen_vertices;  // (3)
-  std::vector<std::uint8_t> outcodes;         // (3), one a vertex
-  std::vector<Chunk> chunks;                  // (6)
-  std::vector<ClippedTriangle> pieces;        // (4), of all chunks
-  std::vector<LitSites> lit_sites;            // (9), one a draw
+  std::vector<Draw> draws;    // (2)
+  std::vector<Chunk> chunks;  // (6)
+  bool with_parts = false;    // colours are wanted in parts, too
 
-  const Draw& draw_of(std::uint32_t triangle) const;
-  ScreenTriangle triangle(TriangleId id) const;
-  std::uint32_t source(TriangleId id) const {
-    return id & is_piece ? pieces[id ^ is_piece].source : id;
-  }
+  const Draw& draw_of(const DrawnTriangle& t) const { return draws[t.draw]; }
 };
 
-/// (3) for vertices [begin, end) of a draw.
-void transform_vertices(const Draw& draw, std::size_t begin, std::size_t end, Frame& frame);
+/// (3) and (5) for the vertices of a cluster.
+void transform_vertices(const Draw& draw, const Cluster& cluster, const Viewport& viewport,
+                        ClusterVertices& vertices);
 /// One vertex, by the same operations in the same order: the same bits.
 ClipVertex transform(const Draw& draw, const glm::vec3& object_position);
 ScreenVertex project(const ClipVertex& vertex, const Viewport& viewport);
 
-/// (4), (5), (6) for triangles [begin, end) of the frame.
-void assemble(std::uint32_t begin, std::uint32_t end, Frame& frame, Chunk& chunk);
+/// (3) to (6), and (9) at faces and vertices, for a chunk whose draw and clusters are set.
+void assemble(const Frame& frame, Chunk& chunk, FrameStats& stats);
 
 // --------------------------------------------------------------------------- (7) scan conversion
 
+/// Which triangle: its number in VisibilityTile::triangles.
+using TriangleId = std::uint32_t;
+constexpr TriangleId no_triangle = 0xffffffffu;
+
 /// The nearest triangle and its depth, for each sample of each pixel of a tile. Sample s of pixel
-/// (x, y) is element (s * height + y - y_begin) * stride + x - x_begin.
+/// (x, y) is element (s * height + y - y_begin) * stride + x - x_begin. Outside of `touched` what
+/// stands there means nothing: no triangle is there.
 struct VisibilityTile {
   Rect rect;
+  Rect touched;
   int stride = 0;
   int samples = 1;
+  std::vector<const DrawnTriangle*> triangles;  // that may touch the tile
   std::vector<float> depth;
   std::vector<TriangleId> triangle;
 
-  void reset(const Rect& tile, int sample_count);
+  /// Nothing is covered yet; only `touched_pixels` will be.
+  void reset(const Rect& tile, const Rect& touched_pixels, int sample_count);
   std::size_t row(int sample, int y) const {
     const int height = rect.y_end - rect.y_begin;
     return std::size_t(sample * height + y - rect.y_begin) * std::size_t(stride);
@@ -245,14 +293,14 @@ struct SampleOffset {
 /// whose grid of 1/16 pixel snaps exactly.
 std::span<const SampleOffset> sample_offsets(int samples);
 
-/// Scan-converts everything in a tile's bins.
-void scan_convert(const Frame& frame, int tile, VisibilityTile& visibility);
+/// Scan-converts one of the tile's triangles.
+void scan_convert(TriangleId id, VisibilityTile& visibility);
 
 // ---------------------------------------------------------------------------- (8), (9) fragments
 
 /// Consecutive fragments of one triangle in a span.
 struct Run {
-  std::uint32_t triangle;     // index in the mesh
+  const DrawnTriangle* drawn;
   std::uint16_t first, size;  // in the span
   bool back_facing;           // its normal is flipped to the viewer's side
 };
@@ -276,12 +324,5 @@ struct FragmentSpan {
     float b1[padded], b2[padded];
   } dx, dy;  // on the right, below
 };
-
-/// Where a Gouraud object's model is evaluated for one corner of a triangle: see LitSites.
-inline std::size_t vertex_site(const Draw& draw, std::uint32_t triangle, int corner,
-                               bool back_facing) {
-  const std::size_t vertex = draw.mesh->indices[3 * std::size_t(triangle) + std::size_t(corner)];
-  return vertex + (back_facing ? draw.mesh->positions.size() : 0);
-}
 
 }  // namespace scanlit

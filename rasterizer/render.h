@@ -56,18 +56,22 @@ struct RenderSettings {
 };
 
 /// What a frame's time is measured for, in order.
-enum class Stage { vertices, assembly, light_vertices, scan_conversion, resolve, shading, count };
+enum class Stage { assembly, light_vertices, scan_conversion, resolve, shading, count };
 const char* name(Stage stage);
 
 /// What a frame did. Counts do not depend on the number of threads; seconds are summed over them.
 struct FrameStats {
-  std::int64_t vertices = 0;
+  std::int64_t vertices = 0;  // transformed; those that clusters share, more than once
+  std::int64_t objects_outside = 0;
+  std::int64_t clusters = 0;  // of objects that are not outside
+  std::int64_t clusters_outside = 0, clusters_back_facing = 0;
   std::int64_t triangles = 0;    // submitted; = outside + back_facing + no_pixel + drawn
   std::int64_t outside = 0;      // wholly outside the view
   std::int64_t back_facing = 0;  // facing away, where only front faces are drawn
   std::int64_t no_pixel = 0;     // zero area on the screen, or between the sample positions
   std::int64_t drawn = 0;        // scan-converted
   std::int64_t clipped = 0;      // of them, those that had to be cut
+  std::int64_t hidden = 0;       // of them, times dropped by the coarse depth, once a tile
   std::int64_t fragments = 0;    // shaded: pixels covered, and more where samples differ
   std::int64_t covered_pixels = 0;
   std::int64_t evaluations = 0;  // points at which a reflection model was evaluated, per light

@@ -24,11 +24,13 @@ FragmentSpan& SpanCollector::span_of(const Draw& draw) {
   return *span;
 }
 
-VisibleTriangle::VisibleTriangle(const Frame& frame, TriangleId id)
-    : triangle_(frame.triangle(id)),
-      draw_(&frame.draw_of(frame.source(id))),
-      piece_(id & is_piece ? &frame.pieces[id ^ is_piece] : nullptr),
-      mesh_triangle_(frame.source(id) - draw_->first_triangle),
+VisibleTriangle::VisibleTriangle(const Frame& frame, const DrawnTriangle& drawn)
+    : triangle_(screen_triangle(drawn.vertices[0], drawn.vertices[1], drawn.vertices[2])),
+      draw_(&frame.draws[drawn.draw]),
+      piece_(drawn.piece == DrawnTriangle::not_cut
+                 ? nullptr
+                 : &frame.chunks[drawn.chunk].pieces[drawn.piece]),
+      drawn_(&drawn),
       back_facing_((triangle_.twice_area < 0) != draw_->mirrored) {}
 
 bool VisibleTriangle::holds(double x, double y) const {
@@ -151,7 +153,7 @@ void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel,
   }
   std::fill_n(span.weight + span.size, count, weight);
   for (int i = 0; i < count; ++i) span.pixel[span.size + i] = pixel + std::uint32_t(i);
-  span.runs[span.run_count++] = {mesh_triangle_, std::uint16_t(span.size), std::uint16_t(count),
+  span.runs[span.run_count++] = {drawn_, std::uint16_t(span.size), std::uint16_t(count),
                                  back_facing_};
   span.size += count;
 }

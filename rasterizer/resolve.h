@@ -32,7 +32,7 @@ class SpanCollector {
 /// What the fragments of one visible triangle have in common.
 class VisibleTriangle {
  public:
-  VisibleTriangle(const Frame& frame, TriangleId id);
+  VisibleTriangle(const Frame& frame, const DrawnTriangle& drawn);
 
   const Draw& draw() const { return *draw_; }
 
@@ -63,7 +63,7 @@ class VisibleTriangle {
   ScreenTriangle triangle_;
   const Draw* draw_;
   const ClippedTriangle* piece_;  // null where the triangle is whole
-  std::uint32_t mesh_triangle_;
+  const DrawnTriangle* drawn_;
   bool back_facing_;
 };
 
@@ -78,15 +78,24 @@ class Resolver {
 
   /// Returns the number of pixels that are covered, in whole or in part.
   std::int64_t run() {
-    const Rect& rect = visibility_.rect;
-    for (int y = rect.y_begin; y < rect.y_end; ++y) {
+    const Rect& touched = visibility_.touched;
+    for (int y = touched.y_begin; y < touched.y_end; ++y) {
       if (visibility_.samples == 1)
-        resolve_row(y, [row = sample_row(0, y)](int x) { return row[x]; });
+        resolve_row(y, touched, [row = sample_row(0, y)](int x) { return row[x]; });
       else
-        resolve_row(y, [this, y](int x) { return uniform_triangle(x, y); });
+        resolve_row(y, touched, [this, y](int x) { return uniform_triangle(x, y); });
     }
     collector_.flush(shade_);
     return covered_pixels_;
+  }
+
+  /// Only what sees triangle `only`, in these pixels, with one sample each.
+  void run(TriangleId only, const Rect& pixels) {
+    for (int y = pixels.y_begin; y < pixels.y_end; ++y)
+      resolve_row(y, pixels, [row = sample_row(0, y), only](int x) {
+        return row[x] == only ? only : no_triangle;
+      });
+    collector_.flush(shade_);
   }
 
  private:
@@ -103,9 +112,9 @@ class Resolver {
 
   /// Cuts a row into runs of one triangle. `triangle_at(x)` is what pixel x sees.
   template <class TriangleAt>
-  void resolve_row(int y, const TriangleAt& triangle_at) {
-    const int end = visibility_.rect.x_end;
-    for (int x = visibility_.rect.x_begin; x < end;) {
+  void resolve_row(int y, const Rect& pixels, const TriangleAt& triangle_at) {
+    const int end = pixels.x_end;
+    for (int x = pixels.x_begin; x < end;) {
       const TriangleId id = triangle_at(x);
       const int begin = x++;
       if (id == no_triangle) continue;
@@ -115,8 +124,8 @@ class Resolver {
       }
       while (x < end && triangle_at(x) == id) ++x;
       covered_pixels_ += x - begin;
-      append(VisibleTriangle(frame_, id), begin * subpixel + half_pixel, y * subpixel + half_pixel,
-             x - begin, pixel(begin, y), 1.0f);
+      append(VisibleTriangle(frame_, *visibility_.triangles[id]), begin * subpixel + half_pixel,
+             y * subpixel + half_pixel, x - begin, pixel(begin, y), 1.0f);
     }
   }
 
@@ -147,7 +156,7 @@ class Resolver {
         if (sample_row(i, y)[x] != id) continue;
         ++count, sum_x += offsets[std::size_t(i)].x, sum_y += offsets[std::size_t(i)].y;
       }
-      const VisibleTriangle triangle(frame_, id);
+      const VisibleTriangle triangle(frame_, *visibility_.triangles[id]);
       const bool centred = triangle.holds(centre_x, centre_y);
       append(triangle, centre_x + (centred ? 0 : sum_x / count),
              centre_y + (centred ? 0 : sum_y / count), 1, pixel(x, y),

@@ -11,22 +11,36 @@ constexpr int lanes = Batch::lanes;
 using Ints = hn::RebindToSigned<Batch::Tag>;
 constexpr Ints ints;
 
+/// A triangle of a tile.
+struct Drawn {
+  const std::vector<const DrawnTriangle*>& triangles;  // of the tile
+  TriangleId id;                                       // in them
+
+  /// Whether this one stays where it is as deep as another.
+  bool drawn_before(TriangleId other) const {
+    return scanlit::drawn_before(*triangles[id], *triangles[other]);
+  }
+};
+
 /// Writes the nearer of what a row holds and what a triangle puts there. Vectors are loaded,
 /// blended and stored whole: masked stores are many times slower on some processors.
 class RowWriter {
  public:
-  RowWriter(const DepthPlane& plane, TriangleId id)
+  RowWriter(const DepthPlane& plane, const Drawn& drawn)
       : per_pixel_(plane.per_pixel()),
         min_(plane.min()),
         max_(plane.max()),
-        id_(hn::Set(ints, std::int32_t(id))) {}
+        drawn_(drawn),
+        id_(hn::Set(ints, std::int32_t(drawn.id))) {}
 
   /// Lanes `covered` of the `lanes` pixels at depth and id; `steps` is each lane's distance in
   /// pixels from the one whose depth is `anchor`.
   void write(Batch::Mask covered, Batch steps, float anchor, float* depth, TriangleId* id) const {
     const Batch z = min(max(Batch(anchor) + steps * per_pixel_, min_), max_);
     const Batch stored = Batch::load(depth);
-    const Batch::Mask nearer = covered & (z > stored);
+    Batch::Mask nearer = covered & (z > stored);
+    const Batch::Mask equal = covered & Batch::Mask{hn::Eq(z.raw, stored.raw)};
+    if (!none(equal)) nearer = nearer | first_of_equals(equal & (z > Batch(0)), id);
     if (none(nearer)) return;
     select(nearer, z, stored).store(depth);
     auto* id_bits = reinterpret_cast<std::int32_t*>(id);
@@ -35,7 +49,19 @@ class RowWriter {
   }
 
  private:
+  /// The lanes of `equal` where this triangle was drawn before the one that is there. Triangles
+  /// come in any order, and rarely meet at equal depth.
+  Batch::Mask first_of_equals(Batch::Mask equal, const TriangleId* ids) const {
+    float before[lanes] = {};
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(Batch::tag, equal.raw, bits);
+    for (int i = 0; i < lanes; ++i)
+      if (bits[i / 8] >> (i % 8) & 1) before[i] = drawn_.drawn_before(ids[i]) ? 1.0f : 0.0f;
+    return Batch::load(before) > Batch(0);
+  }
+
   Batch per_pixel_, min_, max_;
+  const Drawn& drawn_;
   hn::Vec<Ints> id_;
 };
 
@@ -52,9 +78,9 @@ struct Target {
 };
 
 /// Span by span: for triangles that are wide.
-void draw_spans(const ScreenTriangle& triangle, TriangleId id, const Target& target) {
+void draw_spans(const ScreenTriangle& triangle, const Drawn& drawn, const Target& target) {
   const DepthPlane plane(triangle);
-  const RowWriter writer(plane, id);
+  const RowWriter writer(plane, drawn);
   for_each_span(triangle, target.rect.y_begin, target.rect.y_end, [&](int y, int begin, int end) {
     // Anchored at the span's own first pixel, also where that is left of the tile: depth does not
     // depend on how the picture is cut into tiles.
@@ -76,10 +102,10 @@ constexpr int small_size = 16;
 /// Row by row with the edge functions of all of a row's pixels at once: for triangles so small that
 /// following their edges costs more than testing every pixel of their box. Covers exactly what
 /// draw_spans covers, at the same depths.
-void draw_small(const ScreenTriangle& triangle, TriangleId id, const Rect& box,
+void draw_small(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& box,
                 const Target& target) {
   const DepthPlane plane(triangle);
-  const RowWriter writer(plane, id);
+  const RowWriter writer(plane, drawn);
   const auto& v = triangle.vertices;
   const int sign = triangle.twice_area > 0 ? 1 : -1;
   std::int32_t value[3], per_row[3];
@@ -124,14 +150,14 @@ void draw_small(const ScreenTriangle& triangle, TriangleId id, const Rect& box,
   }
 }
 
-void draw(const ScreenTriangle& triangle, TriangleId id, const Target& target) {
+void draw(const ScreenTriangle& triangle, const Drawn& drawn, const Target& target) {
   const Rect box = centre_bounds(triangle);
   if (box.x_end - box.x_begin > small_size || box.y_end - box.y_begin > small_size)
-    return draw_spans(triangle, id, target);
+    return draw_spans(triangle, drawn, target);
   // The anchor must be the row's first covered pixel, so the box is cut at the tile's rows but, on
   // its left, not at its columns; boxes that straddle tiles go the general way.
-  if (box.x_begin < target.rect.x_begin) return draw_spans(triangle, id, target);
-  draw_small(triangle, id,
+  if (box.x_begin < target.rect.x_begin) return draw_spans(triangle, drawn, target);
+  draw_small(triangle, drawn,
              {box.x_begin, std::max(box.y_begin, target.rect.y_begin),
               std::min(box.x_end, target.rect.x_end), std::min(box.y_end, target.rect.y_end)},
              target);
@@ -139,15 +165,22 @@ void draw(const ScreenTriangle& triangle, TriangleId id, const Target& target) {
 
 }  // namespace
 
-void VisibilityTile::reset(const Rect& tile, int sample_count) {
+void VisibilityTile::reset(const Rect& tile, const Rect& touched_pixels, int sample_count) {
   rect = tile;
+  touched = touched_pixels;
   samples = sample_count;
   const int width = tile.x_end - tile.x_begin, height = tile.y_end - tile.y_begin;
   // A vector that starts at a row's last pixel must stay inside the arrays.
   stride = width + lanes;
   const auto size = std::size_t(stride) * std::size_t(height * samples);
-  depth.assign(size, 0.0f);
-  triangle.assign(size, no_triangle);
+  if (depth.size() < size) depth.resize(size), triangle.resize(size);
+  for (int s = 0; s < samples; ++s)
+    for (int y = touched.y_begin; y < touched.y_end; ++y) {
+      const std::size_t first = row(s, y) + std::size_t(touched.x_begin - rect.x_begin);
+      const auto count = std::size_t(touched.x_end - touched.x_begin);
+      std::fill_n(depth.begin() + std::ptrdiff_t(first), count, 0.0f);
+      std::fill_n(triangle.begin() + std::ptrdiff_t(first), count, no_triangle);
+    }
 }
 
 std::span<const SampleOffset> sample_offsets(int samples) {
@@ -167,23 +200,19 @@ std::span<const SampleOffset> sample_offsets(int samples) {
   }
 }
 
-void scan_convert(const Frame& frame, int tile, VisibilityTile& visibility) {
+void scan_convert(TriangleId id, VisibilityTile& visibility) {
+  const DrawnTriangle& record = *visibility.triangles[id];
   const auto offsets = sample_offsets(visibility.samples);
-  for (const Chunk& chunk : frame.chunks) {
-    if (chunk.bins.empty()) continue;
-    for (TriangleId id : chunk.bins[std::size_t(tile)]) {
-      if (id & is_piece) id += chunk.first_piece;
-      const ScreenTriangle triangle = frame.triangle(id);
-      for (std::size_t s = 0; s < offsets.size(); ++s) {
-        // Moving the triangle by minus the offset puts the sample where the centre was.
-        ScreenTriangle moved = triangle;
-        for (ScreenVertex& v : moved.vertices) v.x -= offsets[s].x, v.y -= offsets[s].y;
-        const std::size_t row = visibility.row(int(s), visibility.rect.y_begin);
-        draw(moved, id,
-             {visibility.rect, visibility.depth.data() + row, visibility.triangle.data() + row,
-              visibility.stride});
-      }
-    }
+  const auto& v = record.vertices;
+  const ScreenTriangle triangle = screen_triangle(v[0], v[1], v[2]);
+  for (std::size_t s = 0; s < offsets.size(); ++s) {
+    // Moving the triangle by minus the offset puts the sample where the centre was.
+    ScreenTriangle moved = triangle;
+    for (ScreenVertex& vertex : moved.vertices) vertex.x -= offsets[s].x, vertex.y -= offsets[s].y;
+    const std::size_t row = visibility.row(int(s), visibility.rect.y_begin);
+    draw(moved, {visibility.triangles, id},
+         {visibility.rect, visibility.depth.data() + row, visibility.triangle.data() + row,
+          visibility.stride});
   }
 }
 

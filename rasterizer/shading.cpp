@@ -1,5 +1,7 @@
 #include "rasterizer/shading.h"
 
+#include <algorithm>
+
 #include "rasterizer/batch.h"
 #include "rasterizer/scalar_math.h"
 
@@ -28,36 +30,20 @@ void store_site(const LitSpan& lit, int i, bool clamped, LitSites& sites, std::s
 
 }  // namespace
 
-LitSites make_sites(const Draw& draw, bool parts) {
-  LitSites sites;
-  if (draw.object->shading == Shading::phong) return sites;
-  const std::size_t count = draw.object->shading == Shading::flat
-                                ? draw.mesh->triangle_count()
-                                : draw.mesh->positions.size() * (draw.draw_back_faces ? 2 : 1);
-  sites.channels = parts ? 12 : 3;
-  sites.needed.resize(count);
-  sites.values.resize(count * std::size_t(sites.channels));
-  return sites;
-}
-
-void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::size_t end,
-                 LitSites& sites, FrameStats& stats) {
+void light_sites(const Frame& frame, const Draw& draw, LitSites& lit_sites, FrameStats& stats) {
   SurfaceSpan surface;
   LitSpan lit;
-  std::size_t gathered[SurfaceSpan::capacity];
-  const auto flush = [&] {
+  const std::size_t count = lit_sites.sites.size();
+  lit_sites.channels = frame.with_parts ? 12 : 3;
+  lit_sites.values.resize(count * std::size_t(lit_sites.channels));
+  for (std::size_t begin = 0; begin < count; begin += SurfaceSpan::capacity) {
+    surface.size = int(std::min<std::size_t>(SurfaceSpan::capacity, count - begin));
+    for (int i = 0; i < surface.size; ++i)
+      put_site(draw, lit_sites.sites[begin + std::size_t(i)], i, surface);
     light(frame, draw, surface, lit, stats);
     for (int i = 0; i < surface.size; ++i)
-      store_site(lit, i, frame.settings.clamp_vertex_colours, sites, gathered[i]);
-    surface.size = 0;
-  };
-  for (std::size_t site = begin; site < end; ++site) {
-    if (!sites.needed[site]) continue;
-    gathered[surface.size] = site;
-    put_site(draw, sites, site, surface.size++, surface);
-    if (surface.size == SurfaceSpan::capacity) flush();
+      store_site(lit, i, frame.settings.clamp_vertex_colours, lit_sites, begin + std::size_t(i));
   }
-  if (surface.size > 0) flush();
 }
 
 // ------------------------------------------------- the one place where the three shadings differ
@@ -85,14 +71,13 @@ void SpanShader::phong(const Frame& frame, const FragmentSpan& span) {
 }
 
 void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool parts) {
-  const LitSites& sites = frame.lit_sites[span.draw->index];
   for (int r = 0; r < span.run_count; ++r) {
     const Run& run = span.runs[r];
+    const Chunk& chunk = frame.chunks[run.drawn->chunk];
+    const LitSites& sites = chunk.lit;
+    const std::uint32_t* const site = &sites.corners[3 * chunk.number_of(*run.drawn)];
     const float* corner[3];
-    for (int k = 0; k < 3; ++k) {
-      const auto site = vertex_site(*span.draw, run.triangle, k, run.back_facing);
-      corner[k] = &sites.values[site * std::size_t(sites.channels)];
-    }
+    for (int k = 0; k < 3; ++k) corner[k] = &sites.values[site[k] * std::size_t(sites.channels)];
     const auto channel = [&](int c, float* out) {
       interpolate(span, run, {corner[0] + c, corner[1] + c, corner[2] + c}, 1, out);
     };
@@ -107,10 +92,11 @@ void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool part
 }
 
 void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) {
-  const LitSites& sites = frame.lit_sites[span.draw->index];
   for (int r = 0; r < span.run_count; ++r) {
     const Run& run = span.runs[r];
-    const float* value = &sites.values[run.triangle * std::size_t(sites.channels)];
+    const Chunk& chunk = frame.chunks[run.drawn->chunk];
+    const LitSites& sites = chunk.lit;
+    const float* value = &sites.values[chunk.number_of(*run.drawn) * std::size_t(sites.channels)];
     for (int c = 0; c < 3; ++c) {
       std::fill_n(colour_[c] + run.first, run.size, value[LitSites::colour + c]);
       if (!parts) continue;
@@ -149,7 +135,7 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
     for (int r = 0; r < span.run_count && shading == Shading::flat; ++r) {
       const Run& run = span.runs[r];
       const glm::vec3 normal =
-          face(*span.draw->mesh, run.triangle).normal * (run.back_facing ? -1.0f : 1.0f);
+          face(*span.draw->mesh, run.drawn->triangle).normal * (run.back_facing ? -1.0f : 1.0f);
       for (int c = 0; c < 3; ++c) std::fill_n(surface_.normal[c] + run.first, run.size, normal[c]);
     }
     place_normals(frame, *span.draw, surface_);

@@ -5,12 +5,8 @@
 
 namespace scanlit {
 
-/// Makes room for a draw's sites (none for Phong).
-LitSites make_sites(const Draw& draw, bool parts);
-
-/// Flat and Gouraud: evaluates the reflection model at the sites [begin, end) that are needed.
-void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::size_t end,
-                 LitSites& sites, FrameStats& stats);
+/// Flat and Gouraud: evaluates the reflection model at every site.
+void light_sites(const Frame& frame, const Draw& draw, LitSites& lit_sites, FrameStats& stats);
 
 /// Colours a span of fragments and adds it, weighted by coverage, to the framebuffer. Not copied,
 /// and one a thread: it holds the arrays that all its spans are shaded in.

@@ -76,18 +76,15 @@ Face face(const Mesh& mesh, std::uint32_t triangle) {
   return {(a + b + c) / 3.0, length > 0 ? normal / length : glm::dvec3(0)};
 }
 
-void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
-              SurfaceSpan& surface) {
+void put_site(const Draw& draw, const LitSites::Site& site, int i, SurfaceSpan& surface) {
   const Mesh& mesh = *draw.mesh;
+  const float sign = site.from_behind ? -1.0f : 1.0f;
   if (draw.object->shading == Shading::flat) {
-    const auto triangle = std::uint32_t(site);
-    const auto [centroid, normal] = face(mesh, triangle);
-    put_point(mesh, Corners(mesh, triangle).vertex, centroid,
-              sites.needed[site] == LitSites::from_behind ? -normal : normal, i, surface);
+    const auto [centroid, normal] = face(mesh, site.element);
+    put_point(mesh, Corners(mesh, site.element).vertex, centroid, sign * normal, i, surface);
   } else {
-    const std::size_t count = mesh.positions.size(), v = site % count;
-    put_point(mesh, {&v, 1}, mesh.positions[v], site < count ? mesh.normals[v] : -mesh.normals[v],
-              i, surface);
+    const std::size_t v = site.element;
+    put_point(mesh, {&v, 1}, mesh.positions[v], sign * mesh.normals[v], i, surface);
   }
 }
 
@@ -106,7 +103,7 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
   for (int r = 0; r < span.run_count; ++r) {
     const Run& run = span.runs[r];
-    const Corners corners(mesh, run.triangle);
+    const Corners corners(mesh, run.drawn->triangle);
     const auto& v = corners.vertex;
     const auto attribute = [&](const auto& values, float sign, auto& out) {
       for (int c = 0; c < int(std::size(out)); ++c)

@@ -39,9 +39,8 @@ struct Face {
 };
 Face face(const Mesh& mesh, std::uint32_t triangle);
 
-/// Site `site` of a flat or Gouraud object becomes point i: the face's centroid, or the vertex.
-void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
-              SurfaceSpan& surface);
+/// A site of a flat or Gouraud object becomes point i: the face's centroid, or the vertex.
+void put_site(const Draw& draw, const LitSites::Site& site, int i, SurfaceSpan& surface);
 
 /// One attribute over one run: a0 + b1 (a1 - a0) + b2 (a2 - a0), times `sign`. `corner` points at
 /// the attribute in each corner of the triangle. Writes whole vectors: what lands beyond the run is

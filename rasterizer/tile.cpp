@@ -2,28 +2,28 @@
 
 #include <algorithm>
 
+#include "rasterizer/scan_conversion.h"
 #include "rasterizer/stage_timer.h"
+#include "rasterizer/triangle_culling.h"
 
 namespace scanlit {
 
 namespace {
 
 /// Depth and ids of sample 0, where the framebuffer asks for them.
-void write_visibility(const Frame& frame, const VisibilityTile& visibility,
-                      Framebuffer& framebuffer) {
+void write_visibility(const VisibilityTile& visibility, Framebuffer& framebuffer) {
   if (framebuffer.depth.empty() && framebuffer.object_id.empty()) return;
-  const Rect& r = visibility.rect;
+  const Rect& r = visibility.touched;
   for (int y = r.y_begin; y < r.y_end; ++y) {
     const std::size_t row = visibility.row(0, y);
     for (int x = r.x_begin; x < r.x_end; ++x) {
-      const std::size_t from = row + std::size_t(x - r.x_begin);
+      const std::size_t from = row + std::size_t(x - visibility.rect.x_begin);
       const std::size_t to = std::size_t(y) * std::size_t(framebuffer.width) + std::size_t(x);
       if (!framebuffer.depth.empty()) framebuffer.depth[to] = visibility.depth[from];
       if (framebuffer.object_id.empty() || visibility.triangle[from] == no_triangle) continue;
-      const std::uint32_t source = frame.source(visibility.triangle[from]);
-      const Draw& draw = frame.draw_of(source);
-      framebuffer.object_id[to] = draw.index;
-      framebuffer.triangle_id[to] = source - draw.first_triangle;
+      const DrawnTriangle& seen = *visibility.triangles[visibility.triangle[from]];
+      framebuffer.object_id[to] = seen.draw;
+      framebuffer.triangle_id[to] = seen.triangle;
     }
   }
 }
@@ -68,26 +68,39 @@ void add_background(const Rgb<double>& background, const Rect& r, Framebuffer& f
 void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& framebuffer) {
   FrameStats& stats = worker.shader.stats;
   const Rect rect = frame.grid.tile(tile);
-  {
-    const StageTimer timer(stats, Stage::scan_conversion);
+  VisibilityTile& visibility = worker.visibility;
+  const auto shade = [&](const FragmentSpan& span) {
+    const StageTimer shading_timer(stats, Stage::shading);
+    worker.shader.shade(frame, span, framebuffer);
+  };
+  // Spans are shaded while resolving, and without hidden_fragments while scan-converting: that time
+  // is not theirs.
+  const auto without_shading = [&](Stage stage, const auto& work) {
+    const double before = stats.seconds[std::size_t(Stage::shading)];
+    {
+      const StageTimer timer(stats, stage);
+      work();
+    }
+    stats.seconds[std::size_t(stage)] -= stats.seconds[std::size_t(Stage::shading)] - before;
+  };
+  without_shading(Stage::scan_conversion, [&] {
     clear(rect, framebuffer);
-    worker.visibility.reset(rect, frame.settings.samples);
-    scan_convert(frame, tile, worker.visibility);
-  }
-  const double shading_before = stats.seconds[std::size_t(Stage::shading)];
-  {
-    const StageTimer timer(stats, Stage::resolve);
-    const auto shade = [&](const FragmentSpan& span) {
-      const StageTimer shading_timer(stats, Stage::shading);
-      worker.shader.shade(frame, span, framebuffer);
-    };
-    stats.covered_pixels += Resolver(frame, worker.visibility, worker.collector, shade).run();
-    write_visibility(frame, worker.visibility, framebuffer);
+    worker.triangles.gather(frame, tile, visibility);
+    const bool forward = !frame.settings.skips.hidden_fragments && visibility.samples == 1;
+    worker.triangles.scan_convert_all(visibility, stats, [&](TriangleId id) {
+      if (!forward) return;
+      const auto& v = visibility.triangles[id]->vertices;
+      const Rect box =
+          intersection(centre_bounds(screen_triangle(v[0], v[1], v[2])), visibility.touched);
+      Resolver(frame, visibility, worker.collector, shade).run(id, box);
+    });
+    if (forward) clear(rect, framebuffer);
+  });
+  without_shading(Stage::resolve, [&] {
+    stats.covered_pixels += Resolver(frame, visibility, worker.collector, shade).run();
+    write_visibility(visibility, framebuffer);
     add_background(frame.scene.background, rect, framebuffer);
-  }
-  // Spans are shaded while resolving: that time is not resolving's.
-  stats.seconds[std::size_t(Stage::resolve)] -=
-      stats.seconds[std::size_t(Stage::shading)] - shading_before;
+  });
 }
 
 }  // namespace scanlit

@@ -4,11 +4,13 @@
 #include "rasterizer/pipeline.h"
 #include "rasterizer/resolve.h"
 #include "rasterizer/shading.h"
+#include "rasterizer/tile_triangles.h"
 
 namespace scanlit {
 
 /// What a thread keeps from tile to tile.
 struct Worker {
+  TileTriangles triangles;
   VisibilityTile visibility;
   SpanCollector collector;
   SpanShader shader;

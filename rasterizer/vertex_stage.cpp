@@ -1,7 +1,7 @@
 // (3) Vertex stage, with (5) project and snap, which every vertex inside the guard band goes
 // through at once.
+#include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "rasterizer/batch.h"
 #include "rasterizer/pipeline.h"
@@ -69,31 +69,42 @@ IntVector outcodes(const Homogeneous<Batch>& p, const Viewport& viewport) {
 
 }  // namespace
 
-void transform_vertices(const Draw& draw, std::size_t begin, std::size_t end, Frame& frame) {
-  static_assert(sizeof(glm::vec3) == 12 && sizeof(ScreenVertex) == 16, "interleaved as floats");
+void transform_vertices(const Draw& draw, const Cluster& cluster, const Viewport& viewport,
+                        ClusterVertices& out) {
+  static_assert(sizeof(ScreenVertex) == 16, "interleaved as floats");
   constexpr std::size_t lanes = std::size_t(Batch::lanes);
+  static_assert(ClusterVertices::capacity % max_lanes == 0);
   const hn::Rebind<std::uint8_t, Batch::Tag> bytes;
-  const auto nearest = [](Batch v) { return hn::BitCast(Batch::tag, hn::NearestInt(v.raw)); };
+  const auto nearest = [](Batch v) { return hn::NearestInt(v.raw); };
+  const auto as_floats = [](IntVector v) { return hn::BitCast(Batch::tag, v); };
+  const std::uint32_t* const vertex = &draw.clusters->vertices[cluster.first_vertex];
 
-  for (std::size_t i = begin; i < end; i += lanes) {
-    const std::size_t count = std::min(lanes, end - i);
-    float tail[3 * max_lanes] = {};
-    const float* source = &draw.mesh->positions[i].x;
-    if (count < lanes) source = static_cast<float*>(std::memcpy(tail, source, count * 12));
-    Batch x, y, z;
-    hn::LoadInterleaved3(Batch::tag, source, x.raw, y.raw, z.raw);
-
-    const Homogeneous<Batch> clip_position = to_clip(draw.clip_from_object, x, y, z);
-    const Projected<Batch> screen = to_screen(clip_position, frame.viewport);
-
-    ScreenVertex vertices[max_lanes];
-    std::uint8_t codes[max_lanes];
-    hn::StoreInterleaved4(nearest(screen.x), nearest(screen.y), screen.depth.raw, screen.inv_w.raw,
-                          Batch::tag, reinterpret_cast<float*>(vertices));
-    hn::StoreU(hn::DemoteTo(bytes, outcodes(clip_position, frame.viewport)), bytes, codes);
-    std::memcpy(&frame.screen_vertices[draw.first_vertex + i], vertices, count * sizeof *vertices);
-    std::memcpy(&frame.outcodes[draw.first_vertex + i], codes, count);
+  IntVector any_code = hn::Zero(Ints());
+  for (std::size_t i = 0; i < cluster.vertex_count; i += lanes) {
+    float gathered[3][max_lanes];
+    for (std::size_t k = 0; k < lanes; ++k) {
+      // What is beyond the last vertex repeats it: it is outside of nothing that the last is not.
+      const std::size_t v = std::min(i + k, std::size_t(cluster.vertex_count) - 1);
+      const glm::vec3& p = draw.mesh->positions[vertex[v]];
+      gathered[0][k] = p.x, gathered[1][k] = p.y, gathered[2][k] = p.z;
+    }
+    const Homogeneous<Batch> clip_position =
+        to_clip(draw.clip_from_object, Batch::load(gathered[0]), Batch::load(gathered[1]),
+                Batch::load(gathered[2]));
+    const Projected<Batch> screen = to_screen(clip_position, viewport);
+    const IntVector x = nearest(screen.x), y = nearest(screen.y);
+    const IntVector codes = outcodes(clip_position, viewport);
+    hn::StoreU(x, Ints(), out.x + i);
+    hn::StoreU(y, Ints(), out.y + i);
+    hn::StoreInterleaved4(as_floats(x), as_floats(y), screen.depth.raw, screen.inv_w.raw,
+                          Batch::tag, reinterpret_cast<float*>(out.screen + i));
+    hn::StoreU(hn::DemoteTo(bytes, codes), bytes, out.outcodes + i);
+    any_code = hn::Or(any_code, codes);
   }
+  out.any_outcode = 0;
+  std::int32_t lane_codes[max_lanes];
+  hn::StoreU(any_code, Ints(), lane_codes);
+  for (std::size_t k = 0; k < lanes; ++k) out.any_outcode |= std::uint8_t(lane_codes[k]);
 }
 
 ClipVertex transform(const Draw& draw, const glm::vec3& p) {

@@ -30,21 +30,20 @@ struct Assembled {
               .viewport = viewport,
               .grid = make_tile_grid(viewport, 1),
               .draws = {},
-              .screen_vertices = std::vector<ScreenVertex>(mesh->positions.size()),
-              .outcodes = std::vector<std::uint8_t>(mesh->positions.size()),
-              .chunks = {},
-              .pieces = {},
-              .lit_sites = {}} {
+              .chunks = {}} {
     Draw draw{};
     draw.object = &scene.objects[0];
     draw.mesh = mesh.get();
+    draw.clusters = std::make_shared<MeshClusters>(make_clusters(*mesh));
     draw.clip_from_object =
         glm::mat4(clip_from_world(camera, double(viewport.width) / viewport.height));
     draw.draw_back_faces = true;
     frame.draws = {draw};
-    frame.lit_sites.resize(1);
-    transform_vertices(frame.draws[0], 0, mesh->positions.size(), frame);
-    assemble(0, std::uint32_t(mesh->triangle_count()), frame, chunk);
+    settings.skips.unseen_triangles = false;  // a record of each
+    chunk.draw = &frame.draws[0];
+    chunk.end_cluster = std::uint32_t(draw.clusters->clusters.size());
+    FrameStats stats;
+    assemble(frame, chunk, stats);
   }
   Assembled(const Assembled&) = delete;
   Assembled& operator=(const Assembled&) = delete;
@@ -63,10 +62,21 @@ TEST(Clip, VertexStageDoesTheSameOneByOneAndInVectors) {
   std::vector<glm::vec3> positions(999);
   for (glm::vec3& p : positions) p = delicate_position(random, viewport, 0.1f);
   const Assembled all(triangle_soup(positions), eye_at_origin(), viewport);
-  for (std::size_t i = 0; i < positions.size(); ++i) {
-    if (all.frame.outcodes[i] != 0) continue;
-    const ScreenVertex one = project(transform(all.frame.draws[0], positions[i]), viewport);
-    EXPECT_EQ(bits(one), bits(all.frame.screen_vertices[i])) << i;
+  const Draw& draw = all.frame.draws[0];
+  for (const Cluster& cluster : draw.clusters->clusters) {
+    ClusterVertices vertices;
+    transform_vertices(draw, cluster, viewport, vertices);
+    unsigned any = 0;
+    for (std::size_t i = 0; i < cluster.vertex_count; ++i) {
+      any |= vertices.outcodes[i];
+      EXPECT_EQ(vertices.x[i], vertices.screen[i].x);
+      EXPECT_EQ(vertices.y[i], vertices.screen[i].y);
+      if (vertices.outcodes[i] != 0) continue;
+      const std::uint32_t v = draw.clusters->vertices[cluster.first_vertex + i];
+      const ScreenVertex one = project(transform(draw, positions[v]), viewport);
+      EXPECT_EQ(bits(one), bits(vertices.screen[i])) << v;
+    }
+    EXPECT_EQ(any, vertices.any_outcode);
   }
 }
 
@@ -95,17 +105,16 @@ TEST(Clip, BothTrianglesOfAnEdgeCutItAtTheSamePoints) {
     // What lies on the shared edge has no share in the third corner.
     std::set<Bits> on_edge[2];
     bool drawn[2] = {false, false};
-    for (const ClippedTriangle& piece : both.chunk.pieces)
-      for (int corner = 0; corner < 3; ++corner) {
-        drawn[piece.source] = true;
-        if (piece.barycentric[corner][2] == 0)
-          on_edge[piece.source].insert(bits(piece.vertices[corner]));
+    for (const DrawnTriangle& t : both.chunk.triangles) {
+      drawn[t.triangle] = true;
+      for (std::size_t corner = 0; corner < 3; ++corner) {
+        // A triangle that was not cut has the edge's ends as they are.
+        const bool at_edge = t.piece == DrawnTriangle::not_cut
+                                 ? corner < 2
+                                 : both.chunk.pieces[t.piece].barycentric[corner][2] == 0;
+        if (at_edge) on_edge[t.triangle].insert(bits(t.vertices[corner]));
       }
-    for (int t = 0; t < 2; ++t)  // a triangle that was not cut has the edge's ends as they are
-      if (!drawn[t] && both.frame.outcodes[0] == 0 && both.frame.outcodes[1] == 0) {
-        on_edge[t] = {bits(both.frame.screen_vertices[0]), bits(both.frame.screen_vertices[1])};
-        drawn[t] = true;
-      }
+    }
     if (!drawn[0] || !drawn[1]) return;  // one was outside altogether
     cuts += int(on_edge[0].size());
     RC_ASSERT(on_edge[0] == on_edge[1]);
@@ -149,11 +158,10 @@ TEST(Clip, PiecesLieInTheVolumeHoweverFarTheCornersWere) {
     }
     const unsigned planes = planes_to_cut(triangle, viewport);
     std::vector<ClippedTriangle> pieces;
-    if (planes) clip(triangle, planes, viewport, 5, pieces);
+    if (planes) clip(triangle, planes, viewport, pieces);
     cut += !pieces.empty();
     ASSERT_LE(pieces.size(), 7u);
     for (const ClippedTriangle& piece : pieces) {
-      ASSERT_EQ(piece.source, 5u);
       for (int corner = 0; corner < 3; ++corner) {
         const float* b = piece.barycentric[corner];
         ASSERT_NEAR(double(b[0]) + b[1] + b[2], 1, 2e-7) << i;
@@ -191,7 +199,7 @@ TEST(Clip, CutPointsKeepTheirDigitsHoweverFarTheOtherEndIs) {
     const float before = 1.1f * distance;
     std::vector<ClippedTriangle> pieces;
     clip({{0.3f, 0, 0.1f, before}, {0.4f, 0, 0.1f, -distance}, {0, 1, 0.1f, 1}}, outside_near,
-         viewport, 0, pieces);
+         viewport, pieces);
     const double t = (double(before) - double(0.1f)) / (double(before) + double(distance));
     EXPECT_TRUE(has_corner(pieces, 0.3 + t * 0.1, double(0.1f), viewport)) << distance;
 
@@ -199,7 +207,7 @@ TEST(Clip, CutPointsKeepTheirDigitsHoweverFarTheOtherEndIs) {
     const float beyond = 10.7f * viewport.guard_x();
     pieces.clear();
     clip({{0, 0, 0.1f, distance}, {beyond, 0, 0.1f, 1}, {0, 1, 0.1f, 1}}, outside_right, viewport,
-         0, pieces);
+         pieces);
     const double excess = beyond / double(viewport.guard_x()) - 1;
     const double s = excess / (excess + double(distance));
     EXPECT_TRUE(has_corner(pieces, beyond * (1 - s), 1 + s * (distance - 1.0), viewport))

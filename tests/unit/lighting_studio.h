@@ -39,7 +39,7 @@ struct Studio {
   Material& material() { return scene.objects[0].material; }
 
   std::vector<Lit> light(const std::vector<Point>& points) const {
-    const Frame frame{scene, camera, settings, {}, {}, {}, {}, {}, {}, {}, {}};
+    const Frame frame{scene, camera, settings, {}, {}, {}, {}};
     Draw draw{};
     draw.object = &scene.objects[0];
     draw.normal_from_object = glm::mat3(1);

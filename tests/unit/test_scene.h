@@ -69,42 +69,28 @@ inline ScreenVertex at_pixel(double x, double y, float depth = 0.5f, float inv_w
   return {std::int32_t(x * subpixel), std::int32_t(y * subpixel), depth, inv_w};
 }
 
-/// Stage (7) alone, over any screen triangles: pixels `rect` of a picture, seen through a frame
-/// that has nothing but these triangles, as pieces.
+/// Stage (7) alone, over any screen triangles: pixels `rect` of a picture.
 inline VisibilityTile scan(const std::vector<ScreenTriangle>& triangles, const Rect& rect,
                            int samples = 1) {
-  const Scene scene;
-  const Camera camera;
-  const RenderSettings settings;
-  Frame frame{.scene = scene,
-              .camera = camera,
-              .settings = settings,
-              .viewport = {rect.x_end, rect.y_end},
-              .grid = {},
-              .draws = {},
-              .screen_vertices = {},
-              .outcodes = {},
-              .chunks = {},
-              .pieces = {},
-              .lit_sites = {}};
-  Chunk& chunk = frame.chunks.emplace_back();
-  chunk.bins.resize(1);
-  for (const ScreenTriangle& t : triangles) {
-    chunk.bins[0].push_back(TriangleId(frame.pieces.size()) | is_piece);
-    frame.pieces.push_back({.vertices = {t.vertices[0], t.vertices[1], t.vertices[2]},
-                            .barycentric = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
-                            .source = 0});
-  }
+  std::vector<DrawnTriangle> records;
+  for (const ScreenTriangle& t : triangles)
+    records.push_back({{t.vertices[0], t.vertices[1], t.vertices[2]},
+                       0,
+                       std::uint32_t(records.size()),
+                       0,
+                       DrawnTriangle::not_cut});
   VisibilityTile tile;
-  tile.reset(rect, samples);
-  scan_convert(frame, 0, tile);
+  tile.reset(rect, rect, samples);
+  for (const DrawnTriangle& record : records) tile.triangles.push_back(&record);
+  for (TriangleId id = 0; id < TriangleId(records.size()); ++id)
+    if (triangles[id].twice_area != 0) scan_convert(id, tile);
   return tile;
 }
 
 /// Index of the triangle that a sample sees, in the list given to scan(); -1 if none.
 inline int seen(const VisibilityTile& tile, int x, int y, int sample = 0) {
   const TriangleId id = tile.triangle[tile.row(sample, y) + std::size_t(x - tile.rect.x_begin)];
-  return id == no_triangle ? -1 : int(id ^ is_piece);
+  return id == no_triangle ? -1 : int(id);
 }
 
 inline float depth_of(const VisibilityTile& tile, int x, int y, int sample = 0) {

@@ -1,0 +1,137 @@
+#include "rasterizer/triangle_culling.h"
+
+#include <algorithm>
+
+#include "rasterizer/batch.h"
+#include "rasterizer/scan_conversion.h"
+
+namespace scanlit {
+
+namespace {
+
+using Ints = hn::RebindToSigned<Batch::Tag>;
+using IntVector = hn::Vec<Ints>;
+using IntMask = hn::Mask<Ints>;
+constexpr Ints ints;
+constexpr int lanes = Batch::lanes;
+
+/// Triangles whose box is smaller than this have exact edge functions in 32 bits: differences of
+/// coordinates are below 2^15, and a difference of two of their products below 2^31.
+constexpr std::int32_t small_extent = 1 << 15;
+
+/// One corner of a vector of triangles.
+struct Corner {
+  IntVector x, y;
+
+  Corner(const ClusterVertices& v, const std::uint8_t* local) {
+    const auto index = hn::PromoteTo(ints, hn::LoadU(hn::Rebind<std::uint8_t, Ints>(), local));
+    x = hn::GatherIndex(ints, v.x, index);
+    y = hn::GatherIndex(ints, v.y, index);
+  }
+};
+
+/// edge_function(a, b, p).
+IntVector edge(const Corner& a, const Corner& b, IntVector px, IntVector py) {
+  return hn::Sub(hn::Mul(hn::Sub(b.y, a.y), hn::Sub(px, a.x)),
+                 hn::Mul(hn::Sub(b.x, a.x), hn::Sub(py, a.y)));
+}
+
+/// Whether the point lies on the inner side of the edge a -> b, or on it where the fill rule
+/// (scan_conversion.h) counts that as inside. `flip` is -1 for triangles that go around the other
+/// way, else 0.
+IntMask covers(const Corner& a, const Corner& b, IntVector px, IntVector py, IntVector flip) {
+  const auto oriented = [flip](IntVector v) { return hn::Sub(hn::Xor(v, flip), flip); };
+  const auto zero = hn::Zero(ints);
+  const IntVector e = oriented(edge(a, b, px, py));
+  const IntVector dx = oriented(hn::Sub(b.x, a.x)), dy = oriented(hn::Sub(b.y, a.y));
+  const IntMask top_left = hn::Or(hn::Gt(dy, zero), hn::And(hn::Eq(dy, zero), hn::Lt(dx, zero)));
+  return hn::Or(hn::Gt(e, zero), hn::And(hn::Eq(e, zero), top_left));
+}
+
+IntMask at_least(IntVector a, IntVector b) { return hn::Not(hn::Lt(a, b)); }
+
+template <class Use>
+void for_each_lane(IntMask mask, const Use& use) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(ints, mask, bytes);
+  unsigned bits = unsigned(bytes[0]) | unsigned(bytes[1]) << 8;
+  for (; bits != 0; bits &= bits - 1) use(std::countr_zero(bits));
+}
+
+}  // namespace
+
+Rect pixel_bounds(const ScreenTriangle& t, int samples) {
+  if (samples == 1) return centre_bounds(t);
+  // More samples than one lie anywhere in their pixel.
+  const auto [a, b, c] = t.vertices;
+  const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
+  const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
+  return {x_min >> 8, y_min >> 8, (x_max >> 8) + 1, (y_max >> 8) + 1};
+}
+
+Fate cull(const ScreenTriangle& triangle, const Draw& draw, const Viewport& viewport, int samples) {
+  if (triangle.twice_area == 0) return Fate::no_pixel;
+  if (!draw.draw_back_faces && (triangle.twice_area < 0) != draw.mirrored) return Fate::back_facing;
+  const Rect bounds = pixel_bounds(triangle, samples);
+  if (bounds.empty()) return Fate::no_pixel;
+  return intersection(bounds, picture_rect(viewport)).empty() ? Fate::outside : Fate::drawn;
+}
+
+void cull_cluster(const Draw& draw, const Cluster& cluster, const ClusterVertices& vertices,
+                  const Viewport& viewport, int samples, CulledCluster& result) {
+  const auto& corners = draw.clusters->corners;
+  const int count = int(cluster.triangle_count);
+  const auto zero = hn::Zero(ints), one = hn::Set(ints, 1);
+  // From a coordinate to the first pixel whose centre (or, of several samples, any) is beyond it.
+  const auto up = hn::Set(ints, samples == 1 ? half_pixel - 1 : 0);
+  const auto past = hn::Set(ints, samples == 1 ? 0 : 1);
+  const auto width = hn::Set(ints, viewport.width), height = hn::Set(ints, viewport.height);
+
+  for (int k = 0; k < count; k += lanes) {
+    const std::size_t first = cluster.first_triangle + std::size_t(k);
+    const Corner a(vertices, &corners[0][first]), b(vertices, &corners[1][first]),
+        c(vertices, &corners[2][first]);
+    IntMask left = hn::Lt(hn::Iota(ints, k), hn::Set(ints, count));
+    const auto x_min = hn::Min(a.x, hn::Min(b.x, c.x)), x_max = hn::Max(a.x, hn::Max(b.x, c.x));
+    const auto y_min = hn::Min(a.y, hn::Min(b.y, c.y)), y_max = hn::Max(a.y, hn::Max(b.y, c.y));
+
+    const auto extent = hn::Max(hn::Sub(x_max, x_min), hn::Sub(y_max, y_min));
+    const IntMask large = hn::And(left, hn::Gt(extent, hn::Set(ints, small_extent - 1)));
+    for_each_lane(large,
+                  [&](int lane) { result.large[result.large_count++] = std::uint8_t(k + lane); });
+    left = hn::AndNot(large, left);
+
+    const auto drop = [&left](IntMask reason, int& counter) {
+      const IntMask dropped = hn::And(left, reason);
+      counter += int(hn::CountTrue(ints, dropped));
+      left = hn::AndNot(dropped, left);
+    };
+    const auto area = edge(a, b, c.x, c.y);
+    drop(hn::Eq(area, zero), result.no_pixel);
+    if (!draw.draw_back_faces)
+      drop(draw.mirrored ? hn::Gt(area, zero) : hn::Lt(area, zero), result.back_facing);
+    const auto x0 = hn::ShiftRight<8>(hn::Add(x_min, up));
+    const auto y0 = hn::ShiftRight<8>(hn::Add(y_min, up));
+    const auto x1 = hn::Add(hn::ShiftRight<8>(hn::Add(x_max, up)), past);
+    const auto y1 = hn::Add(hn::ShiftRight<8>(hn::Add(y_max, up)), past);
+    drop(hn::Or(at_least(x0, x1), at_least(y0, y1)), result.no_pixel);
+    drop(hn::Or(hn::Or(at_least(x0, width), at_least(zero, x1)),
+                hn::Or(at_least(y0, height), at_least(zero, y1))),
+         result.outside);
+    if (hn::AllFalse(ints, left)) continue;
+    if (samples == 1) {
+      const IntMask single = hn::And(hn::Eq(hn::Sub(x1, x0), one), hn::Eq(hn::Sub(y1, y0), one));
+      const auto px = hn::Add(hn::ShiftLeft<8>(x0), hn::Set(ints, half_pixel));
+      const auto py = hn::Add(hn::ShiftLeft<8>(y0), hn::Set(ints, half_pixel));
+      const auto flip = hn::ShiftRight<31>(area);
+      const IntMask covered =
+          hn::And(covers(a, b, px, py, flip),
+                  hn::And(covers(b, c, px, py, flip), covers(c, a, px, py, flip)));
+      drop(hn::AndNot(covered, single), result.no_pixel);
+    }
+    for_each_lane(left,
+                  [&](int lane) { result.drawn[result.drawn_count++] = std::uint8_t(k + lane); });
+  }
+}
+
+}  // namespace scanlit

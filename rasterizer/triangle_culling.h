@@ -1,0 +1,53 @@
+// (6) Assembly, of a whole cluster at once: which of its triangles are worth scan-converting.
+#pragma once
+
+#include <algorithm>
+
+#include "rasterizer/pipeline.h"
+
+namespace scanlit {
+
+/// Why a triangle, or a piece of one, is or is not drawn: the first reason that holds, in the order
+/// no area, back-facing, between the sample positions, outside of the picture. A cut triangle
+/// counts as the largest of its pieces'.
+enum class Fate : std::uint8_t { outside, no_pixel, back_facing, drawn };
+
+/// The pixels whose sample positions a triangle's box can hold; may be empty, may leave the
+/// picture.
+Rect pixel_bounds(const ScreenTriangle& triangle, int samples);
+
+inline Rect intersection(const Rect& a, const Rect& b) {
+  return {std::max(a.x_begin, b.x_begin), std::max(a.y_begin, b.y_begin),
+          std::min(a.x_end, b.x_end), std::min(a.y_end, b.y_end)};
+}
+
+inline Rect united(const Rect& a, const Rect& b) {
+  return {std::min(a.x_begin, b.x_begin), std::min(a.y_begin, b.y_begin),
+          std::max(a.x_end, b.x_end), std::max(a.y_end, b.y_end)};
+}
+
+inline Rect picture_rect(const Viewport& viewport) {
+  return {0, 0, viewport.width, viewport.height};
+}
+
+/// One triangle, by exact arithmetic of any size.
+Fate cull(const ScreenTriangle& triangle, const Draw& draw, const Viewport& viewport, int samples);
+
+/// The triangles of a cluster, by their numbers in it.
+struct CulledCluster {
+  static constexpr int capacity = ClusterVertices::capacity;
+
+  std::uint8_t drawn[capacity];  // these are drawn
+  int drawn_count = 0;
+  std::uint8_t large[capacity];  // these want cull(): their coordinates' products leave 32 bits
+  int large_count = 0;
+  int outside = 0, no_pixel = 0, back_facing = 0;
+};
+
+/// All triangles of a cluster none of whose vertices is outside of anything: whole vectors of them,
+/// in 32-bit integers, with the verdicts of cull(). Where one sample a pixel is taken, a triangle
+/// whose box holds a single pixel is also tested for covering it.
+void cull_cluster(const Draw& draw, const Cluster& cluster, const ClusterVertices& vertices,
+                  const Viewport& viewport, int samples, CulledCluster& result);
+
+}  // namespace scanlit
