@@ -170,13 +170,11 @@ class Assembler {
     if (r.empty()) return;
     const float nearest = std::max({t.vertices[0].depth, t.vertices[1].depth, t.vertices[2].depth});
     const TileGrid& grid = frame_.grid;
-    const int last_row = (r.y_end - 1) / grid.tile_height;
-    const int last_column = (r.x_end - 1) / grid.tile_width;
-    for (int row = r.y_begin / grid.tile_height; row <= last_row; ++row)
-      for (int column = r.x_begin / grid.tile_width; column <= last_column; ++column) {
-        const auto tile = std::uint32_t(row * grid.columns + column);
-        placed_.push_back({tile, {record, nearest}, intersection(r, grid.tile(int(tile)))});
-      }
+    for (int row = grid.row(r.y_begin); row <= grid.row(r.y_end - 1); ++row)
+      for (int column = grid.column(r.x_begin); column <= grid.column(r.x_end - 1); ++column)
+        placed_.push_back({std::uint32_t(row * grid.columns + column),
+                           {record, nearest},
+                           intersection(r, grid.tile(column, row))});
   }
 
   /// The site of a vertex of the present cluster: made when first asked for.
@@ -246,25 +244,25 @@ void assemble(const Frame& frame, Chunk& chunk, FrameStats& stats) {
   light_sites(frame, *chunk.draw, chunk.lit, stats);
 }
 
-Rect TileGrid::tile(int index) const {
-  const int x = index % columns * tile_width, y = index / columns * tile_height;
-  return {x, y, std::min(x + tile_width, viewport.width),
-          std::min(y + tile_height, viewport.height)};
+Rect TileGrid::tile(int column, int row) const {
+  const int x = column << width_shift, y = row << height_shift;
+  return {x, y, std::min(x + (1 << width_shift), viewport.width),
+          std::min(y + (1 << height_shift), viewport.height)};
 }
 
 TileGrid make_tile_grid(const Viewport& viewport, int samples) {
   // Depth and id of a tile's samples, 8 bytes each, should fill about half of a 1 MiB second-level
   // cache; whole scanlines where 16 of them fit.
-  const int budget = 64 * 1024 / samples;
-  const int min_height = 16;
-  TileGrid grid{.tile_width = std::min(viewport.width, budget / min_height),
-                .tile_height = 0,
+  const auto shift_of = [](int size) { return int(std::bit_width(unsigned(size))) - 1; };
+  const int budget = shift_of(64 * 1024 / samples), min_height = 4, max_height = 5;
+  TileGrid grid{.width_shift = std::min(shift_of(2 * viewport.width - 1), budget - min_height),
+                .height_shift = 0,
                 .columns = 0,
                 .rows = 0,
                 .viewport = viewport};
-  grid.tile_height = std::clamp(budget / grid.tile_width, min_height, 32);
-  grid.columns = (viewport.width + grid.tile_width - 1) / grid.tile_width;
-  grid.rows = (viewport.height + grid.tile_height - 1) / grid.tile_height;
+  grid.height_shift = std::clamp(budget - grid.width_shift, min_height, max_height);
+  grid.columns = grid.column(viewport.width - 1) + 1;
+  grid.rows = grid.row(viewport.height - 1) + 1;
   return grid;
 }
 

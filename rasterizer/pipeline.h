@@ -164,13 +164,17 @@ struct Rect {
 };
 
 /// The picture cut into tiles: bands of scanlines where a whole band stays in the cache, pieces of
-/// them where width or samples are too many for that.
+/// them where width or samples are too many for that. Sides are powers of two, so that finding a
+/// pixel's tile needs no division.
 struct TileGrid {
-  int tile_width, tile_height, columns, rows;
+  int width_shift, height_shift, columns, rows;
   Viewport viewport;
 
   int count() const { return columns * rows; }
-  Rect tile(int index) const;
+  int column(int x) const { return x >> width_shift; }
+  int row(int y) const { return y >> height_shift; }
+  Rect tile(int column, int row) const;
+  Rect tile(int index) const { return tile(index % columns, index / columns); }
 };
 TileGrid make_tile_grid(const Viewport& viewport, int samples);
 
@@ -315,9 +319,9 @@ struct FragmentSpan {
   const Draw* draw = nullptr;
   int size = 0, run_count = 0;
   Run runs[capacity];
-  std::uint32_t pixel[capacity];  // y * width + x
-  float weight[capacity];         // share of the pixel's samples, 0..1
-  float b1[padded], b2[padded];   // barycentric coordinates in the mesh's triangle
+  std::uint32_t pixel[padded];   // y * width + x
+  float weight[padded];          // share of the pixel's samples, 0..1
+  float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle
   // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.
   bool with_derivatives = false;
   struct Derivatives {

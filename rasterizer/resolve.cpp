@@ -41,20 +41,27 @@ bool VisibleTriangle::holds(double x, double y) const {
 
 namespace {
 
-/// (start + i step) scale for i = 0, 1, ..., count - 1, in double, rounded to float; whole vectors
-/// are written. Exact before the scale if start and step are whole numbers, so that a fragment's
-/// weights do not depend on where its run begins.
-void store_steps(double start, double step, double scale, int count, float* out) {
-  const hn::ScalableTag<double> doubles;
-  const hn::Rebind<float, decltype(doubles)> floats;
-  constexpr int width = int(hn::MaxLanes(doubles));
-  const int padded = (count + Batch::lanes - 1) / Batch::lanes * Batch::lanes;
-  for (int i = 0; i < padded; i += width) {
-    const auto index = hn::Iota(doubles, double(i));
-    const auto edge = hn::Add(hn::Set(doubles, start), hn::Mul(index, hn::Set(doubles, step)));
-    hn::StoreU(hn::DemoteTo(floats, hn::Mul(edge, hn::Set(doubles, scale))), floats, out + i);
+/// A triangle's weight that is linear on the screen, along a row: (start + i step) scale at pixel
+/// i, in double, rounded to float once. Exact before the scale if start and step are whole numbers,
+/// so that a fragment's weights do not depend on where its run begins.
+struct Steps {
+  double start, step, scale;
+
+  float at(int i) const { return float((start + double(i) * step) * scale); }
+
+  /// For i, i + 1, ...
+  Batch vector_at(int i) const {
+    const hn::ScalableTag<double> doubles;
+    const hn::Rebind<float, decltype(doubles)> floats;
+    const auto half = [&](double first) {
+      const auto index = hn::Iota(doubles, first);
+      const auto edge = hn::Add(hn::Set(doubles, start), hn::Mul(index, hn::Set(doubles, step)));
+      return hn::DemoteTo(floats, hn::Mul(edge, hn::Set(doubles, scale)));
+    };
+    const int middle = i + int(hn::MaxLanes(doubles));
+    return hn::Combine(Batch::tag, half(double(middle)), half(double(i)));
   }
-}
+};
 
 /// By how much the weights of a triangle's corners grow with one step on the screen. A weight is
 /// b_k = e_k / (e_0 + e_1 + e_2), e_k the edge function over w of the corner: linear on the screen.
@@ -88,9 +95,19 @@ class Growth {
   Batch step_[3], sum_;
 };
 
+/// From weights that are linear on the screen to those of perspective: attributes over w, and 1/w,
+/// are linear on the screen; their quotient is the attribute.
+template <class T>
+void divide_by_w(const ScreenTriangle& triangle, T (&b)[3]) {
+  const auto& [p, q, r] = triangle.vertices;
+  b[0] = b[0] * T(p.inv_w), b[1] = b[1] * T(q.inv_w), b[2] = b[2] * T(r.inv_w);
+  const T w = T(1) / (b[0] + b[1] + b[2]);
+  for (T& weight : b) weight = weight * w;
+}
+
 }  // namespace
 
-void VisibleTriangle::append_derivatives(const float* b0, int count, bool perspective,
+void VisibleTriangle::append_derivatives(const Batch (&linear)[3], int at, bool perspective,
                                          FragmentSpan& span) const {
   const auto& [a, b, c] = triangle_.vertices;
   const double inv_w[3] = {perspective ? double(a.inv_w) : 1, perspective ? double(b.inv_w) : 1,
@@ -98,22 +115,16 @@ void VisibleTriangle::append_derivatives(const float* b0, int count, bool perspe
   const double pixel = subpixel / double(triangle_.twice_area);
   const Growth right({(c.y - b.y) * pixel, (a.y - c.y) * pixel, (b.y - a.y) * pixel}, inv_w);
   const Growth below({(b.x - c.x) * pixel, (c.x - a.x) * pixel, (a.x - b.x) * pixel}, inv_w);
-  for (int i = 0; i < count; i += Batch::lanes) {
-    const int at = span.size + i;
-    Batch w[3] = {Batch::load(b0 + i) * Batch(inv_w[0]),
-                  Batch::load(span.b1 + at) * Batch(inv_w[1]),
-                  Batch::load(span.b2 + at) * Batch(inv_w[2])};
-    const Batch inverse_sum = Batch(1) / (w[0] + w[1] + w[2]);
-    for (Batch& weight : w) weight = weight * inverse_sum;
-    right.at(w, inverse_sum, piece_, at, span.dx);
-    below.at(w, inverse_sum, piece_, at, span.dy);
-  }
+  Batch w[3];
+  for (int k = 0; k < 3; ++k) w[k] = linear[k] * Batch(inv_w[k]);
+  const Batch inverse_sum = Batch(1) / (w[0] + w[1] + w[2]);
+  for (Batch& weight : w) weight = weight * inverse_sum;
+  right.at(w, inverse_sum, piece_, at, span.dx);
+  below.at(w, inverse_sum, piece_, at, span.dy);
 }
 
 void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel, float weight,
                              Interpolation interpolation, FragmentSpan& span) const {
-  float *const b1 = span.b1 + span.size, *const b2 = span.b2 + span.size;
-  float b0[FragmentSpan::padded];
   const auto& [a, b, c] = triangle_.vertices;
   const double area = double(triangle_.twice_area), scale = 1.0 / area;
   // A centroid of samples is rounded, and may lie beyond an edge by that much; 1/w would magnify
@@ -121,40 +132,45 @@ void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel,
   const auto inside = [area](double edge) { return area > 0 ? max(edge, 0.0) : min(edge, 0.0); };
   const double e1 = inside(edge_1(x, y)), step_1 = double(a.y - c.y) * subpixel;
   const double e2 = inside(edge_2(x, y)), step_2 = double(b.y - a.y) * subpixel;
-  store_steps(e1, step_1, scale, count, b1);
-  store_steps(e2, step_2, scale, count, b2);
-  // From its own edge function too: as 1 - b1 - b2 in float it would lose its digits where it is
-  // small, and 1/w may weigh it by a million.
-  store_steps(inside(area - e1 - e2), -step_1 - step_2, scale, count, b0);
-
+  // Weight 0 from its own edge function too: as 1 - b1 - b2 in float it would lose its digits where
+  // it is small, and 1/w may weigh it by a million.
+  const Steps linear[3] = {
+      {inside(area - e1 - e2), -step_1 - step_2, scale}, {e1, step_1, scale}, {e2, step_2, scale}};
   const bool perspective =
       interpolation == Interpolation::perspective && (a.inv_w != b.inv_w || b.inv_w != c.inv_w);
-  if (span.with_derivatives) append_derivatives(b0, count, perspective, span);
-  if (perspective || piece_) {
+
+  const int first = span.size;
+  if (count <= 2 && !piece_ && !span.with_derivatives) {
+    // Where triangles are as small as pixels, one weight by itself: the same operations.
+    for (int i = 0; i < count; ++i) {
+      float w[3] = {linear[0].at(i), linear[1].at(i), linear[2].at(i)};
+      if (perspective) divide_by_w(triangle_, w);
+      span.b1[first + i] = w[1], span.b2[first + i] = w[2];
+      span.weight[first + i] = weight;
+      span.pixel[first + i] = pixel + std::uint32_t(i);
+    }
+  } else {
+    const hn::RebindToUnsigned<Batch::Tag> unsigneds;
     for (int i = 0; i < count; i += Batch::lanes) {
-      Batch w0 = Batch::load(b0 + i), w1 = Batch::load(b1 + i), w2 = Batch::load(b2 + i);
-      if (perspective) {
-        // Attributes over w, and 1/w, are linear on the screen; their quotient is the attribute.
-        w0 = w0 * Batch(a.inv_w), w1 = w1 * Batch(b.inv_w), w2 = w2 * Batch(c.inv_w);
-        const Batch w = Batch(1) / (w0 + w1 + w2);
-        w0 = w0 * w, w1 = w1 * w, w2 = w2 * w;
-      }
+      Batch w[3] = {linear[0].vector_at(i), linear[1].vector_at(i), linear[2].vector_at(i)};
+      if (span.with_derivatives) append_derivatives(w, first + i, perspective, span);
+      if (perspective) divide_by_w(triangle_, w);
       if (piece_) {
         const auto& m = piece_->barycentric;
         const auto in_source = [&](int vertex) {
-          return w0 * Batch(m[0][vertex]) + w1 * Batch(m[1][vertex]) + w2 * Batch(m[2][vertex]);
+          return w[0] * Batch(m[0][vertex]) + w[1] * Batch(m[1][vertex]) +
+                 w[2] * Batch(m[2][vertex]);
         };
         const Batch source_1 = in_source(1), source_2 = in_source(2);
-        w1 = source_1, w2 = source_2;
+        w[1] = source_1, w[2] = source_2;
       }
-      w1.store(b1 + i);
-      w2.store(b2 + i);
+      w[1].store(span.b1 + first + i);
+      w[2].store(span.b2 + first + i);
+      Batch(weight).store(span.weight + first + i);
+      hn::StoreU(hn::Iota(unsigneds, pixel + std::uint32_t(i)), unsigneds, span.pixel + first + i);
     }
   }
-  std::fill_n(span.weight + span.size, count, weight);
-  for (int i = 0; i < count; ++i) span.pixel[span.size + i] = pixel + std::uint32_t(i);
-  span.runs[span.run_count++] = {drawn_, std::uint16_t(span.size), std::uint16_t(count),
-                                 back_facing_};
+  span.runs[span.run_count++] = {drawn_, std::uint16_t(first), std::uint16_t(count), back_facing_};
   span.size += count;
 }
 

@@ -3,6 +3,7 @@
 
 #include <memory>
 
+#include "rasterizer/batch.h"
 #include "rasterizer/pipeline.h"
 
 namespace scanlit {
@@ -45,9 +46,10 @@ class VisibleTriangle {
               Interpolation interpolation, FragmentSpan& span) const;
 
  private:
-  /// Part of append(), for models that ask for texcoord derivatives: what stands in the span's b1,
-  /// b2 and in b0 still are the weights linear on the screen.
-  void append_derivatives(const float* b0, int count, bool perspective, FragmentSpan& span) const;
+  /// Part of append(), for models that ask for texcoord derivatives: of a vector of fragments from
+  /// element `at` on, whose weights are `linear` on the screen.
+  void append_derivatives(const Batch (&linear)[3], int at, bool perspective,
+                          FragmentSpan& span) const;
 
   /// The edge functions whose share of twice_area is the screen-linear weight of corner 1 and of
   /// corner 2. Exact where x and y are whole numbers: doubles hold them (see Viewport).

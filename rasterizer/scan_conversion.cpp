@@ -1,5 +1,7 @@
 #include "rasterizer/scan_conversion.h"
 
+#include <bit>
+
 #include "rasterizer/batch.h"
 #include "rasterizer/scalar_math.h"
 
@@ -10,6 +12,13 @@ namespace {
 constexpr int lanes = Batch::lanes;
 using Ints = hn::RebindToSigned<Batch::Tag>;
 constexpr Ints ints;
+
+/// One bit a lane, the first lane's lowest.
+unsigned bits_of(Batch::Mask mask) {
+  std::uint8_t bytes[8] = {};
+  hn::StoreMaskBits(Batch::tag, mask.raw, bytes);
+  return unsigned(bytes[0]) | unsigned(bytes[1]) << 8;
+}
 
 /// A triangle of a tile.
 struct Drawn {
@@ -53,10 +62,10 @@ class RowWriter {
   /// come in any order, and rarely meet at equal depth.
   Batch::Mask first_of_equals(Batch::Mask equal, const TriangleId* ids) const {
     float before[lanes] = {};
-    std::uint8_t bits[8] = {};
-    hn::StoreMaskBits(Batch::tag, equal.raw, bits);
-    for (int i = 0; i < lanes; ++i)
-      if (bits[i / 8] >> (i % 8) & 1) before[i] = drawn_.drawn_before(ids[i]) ? 1.0f : 0.0f;
+    for (unsigned bits = bits_of(equal); bits != 0; bits &= bits - 1) {
+      const int i = std::countr_zero(bits);
+      before[i] = drawn_.drawn_before(ids[i]) ? 1.0f : 0.0f;
+    }
     return Batch::load(before) > Batch(0);
   }
 
@@ -99,6 +108,75 @@ void draw_spans(const ScreenTriangle& triangle, const Drawn& drawn, const Target
 /// A box of at most 16 x 16 pixels: edge functions are below 2^27 there, and 32 bits hold them.
 constexpr int small_size = 16;
 
+/// The three edge functions of a triangle over a small box, positive or zero inside.
+struct SmallEdges {
+  std::int32_t first[3];  // at the box's first pixel centre
+  std::int32_t per_column[3], per_row[3];
+
+  SmallEdges(const ScreenTriangle& triangle, const Rect& box) {
+    const auto& v = triangle.vertices;
+    const int sign = triangle.twice_area > 0 ? 1 : -1;
+    for (int i = 0; i < 3; ++i) {
+      const ScreenVertex &from = v[i], &to = v[i == 2 ? 0 : i + 1];
+      const std::int32_t dx = sign * (to.x - from.x), dy = sign * (to.y - from.y);
+      // A centre exactly on an edge counts for left edges (running down) and the top edge (running
+      // left) alone: for the others 0 becomes -1.
+      const bool top_left = (dy > 0) | ((dy == 0) & (dx < 0));
+      first[i] = dy * (box.x_begin * subpixel + half_pixel - from.x) -
+                 dx * (box.y_begin * subpixel + half_pixel - from.y) - (top_left ? 0 : 1);
+      per_column[i] = dy * subpixel;
+      per_row[i] = -dx * subpixel;
+    }
+  }
+};
+
+/// Lanes where none of three edge functions is negative.
+Batch::Mask inside(const hn::Vec<Ints> (&edge)[3]) {
+  // The sign bit of the three together is set where any of them is negative.
+  const auto any_negative = hn::Or(edge[0], hn::Or(edge[1], edge[2]));
+  return {hn::RebindMask(Batch::tag, hn::Gt(any_negative, hn::Set(ints, -1)))};
+}
+
+constexpr int tiny_size = 4;
+
+/// For boxes of at most 4 x 4 pixels: a vector holds several rows, and the few pixels that are
+/// covered are written one by one. Covers what draw_spans covers, at the same depths.
+void draw_tiny(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& box,
+               const Target& target) {
+  constexpr int rows_in_vector = lanes / tiny_size;
+  const SmallEdges edges(triangle, box);
+  const DepthPlane plane(triangle);
+  const auto lane = hn::Iota(ints, 0);
+  const auto row = hn::ShiftRight<2>(lane), column = hn::And(lane, hn::Set(ints, 3));
+  const auto in_columns = hn::Lt(column, hn::Set(ints, box.x_end - box.x_begin));
+  for (int y = box.y_begin; y < box.y_end; y += rows_in_vector) {
+    hn::Vec<Ints> edge[3];
+    for (int i = 0; i < 3; ++i) {
+      const auto start = hn::Set(ints, edges.first[i] + (y - box.y_begin) * edges.per_row[i]);
+      edge[i] = hn::Add(hn::Add(start, hn::Mul(column, hn::Set(ints, edges.per_column[i]))),
+                        hn::Mul(row, hn::Set(ints, edges.per_row[i])));
+    }
+    const auto in_rows = hn::Lt(row, hn::Set(ints, box.y_end - y));
+    const auto in_box = hn::RebindMask(Batch::tag, hn::And(in_columns, in_rows));
+    unsigned covered = bits_of(inside(edge) & Batch::Mask{in_box});
+    float anchor = 0;
+    for (int anchor_row = -1, anchor_column = 0; covered != 0; covered &= covered - 1) {
+      const int bit = std::countr_zero(covered), r = bit / tiny_size, x = box.x_begin + bit % 4;
+      if (r != anchor_row) {
+        anchor_row = r, anchor_column = x;
+        anchor = plane.at(x, y + r);
+      }
+      const float z =
+          std::min(std::max(anchor + float(x - anchor_column) * plane.per_pixel(), plane.min()),
+                   plane.max());
+      const auto at = target.offset(x, y + r);
+      float& depth = target.depth[at];
+      TriangleId& id = target.triangle[at];
+      if (z > depth || (z == depth && z > 0 && drawn.drawn_before(id))) depth = z, id = drawn.id;
+    }
+  }
+}
+
 /// Row by row with the edge functions of all of a row's pixels at once: for triangles so small that
 /// following their edges costs more than testing every pixel of their box. Covers exactly what
 /// draw_spans covers, at the same depths.
@@ -106,37 +184,22 @@ void draw_small(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& 
                 const Target& target) {
   const DepthPlane plane(triangle);
   const RowWriter writer(plane, drawn);
-  const auto& v = triangle.vertices;
-  const int sign = triangle.twice_area > 0 ? 1 : -1;
-  std::int32_t value[3], per_row[3];
+  const SmallEdges edges(triangle, box);
   hn::Vec<Ints> per_lane[3];
-  for (int i = 0; i < 3; ++i) {
-    const ScreenVertex &from = v[i], &to = v[(i + 1) % 3];
-    const std::int32_t dx = sign * (to.x - from.x), dy = sign * (to.y - from.y);
-    // A centre exactly on an edge counts for left edges (running down) and the top edge (running
-    // left) alone: for the others 0 becomes -1.
-    const bool top_left = dy > 0 || (dy == 0 && dx < 0);
-    value[i] = dy * (box.x_begin * subpixel + half_pixel - from.x) -
-               dx * (box.y_begin * subpixel + half_pixel - from.y) - (top_left ? 0 : 1);
-    per_row[i] = -dx * subpixel;
-    per_lane[i] = hn::Mul(hn::Iota(ints, 0), hn::Set(ints, dy * subpixel));
-  }
+  for (int i = 0; i < 3; ++i)
+    per_lane[i] = hn::Mul(hn::Iota(ints, 0), hn::Set(ints, edges.per_column[i]));
   for (int y = box.y_begin; y < box.y_end; ++y) {
     float anchor = 0;
     int anchor_x = box.x_end;
     for (int x = box.x_begin; x < box.x_end; x += lanes) {
-      // The sign bit of the three together is set where any of them is negative.
-      auto any_negative = hn::Zero(ints);
-      for (int i = 0; i < 3; ++i) {
-        const std::int32_t dy = sign * (v[(i + 1) % 3].y - v[i].y);
-        const auto start = hn::Set(ints, value[i] + dy * subpixel * (x - box.x_begin));
-        any_negative = hn::Or(any_negative, hn::Add(start, per_lane[i]));
-      }
-      const Batch steps_in_box = Batch::iota(float(x - box.x_begin));
-      const Batch::Mask inside_box = steps_in_box < Batch(float(box.x_end - box.x_begin));
-      const Batch::Mask covered =
-          Batch::Mask{hn::RebindMask(Batch::tag, hn::Gt(any_negative, hn::Set(ints, -1)))} &
-          inside_box;
+      hn::Vec<Ints> edge[3];
+      for (int i = 0; i < 3; ++i)
+        edge[i] = hn::Add(hn::Set(ints, edges.first[i] + (y - box.y_begin) * edges.per_row[i] +
+                                            (x - box.x_begin) * edges.per_column[i]),
+                          per_lane[i]);
+      const Batch::Mask in_box =
+          Batch::iota(float(x - box.x_begin)) < Batch(float(box.x_end - box.x_begin));
+      const Batch::Mask covered = inside(edge) & in_box;
       if (none(covered)) continue;
       if (anchor_x == box.x_end) {
         anchor_x = x + int(hn::FindFirstTrue(Batch::tag, covered.raw));
@@ -146,7 +209,6 @@ void draw_small(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& 
       writer.write(covered, Batch::iota(float(x - anchor_x)), anchor, target.depth + at,
                    target.triangle + at);
     }
-    for (int i = 0; i < 3; ++i) value[i] += per_row[i];
   }
 }
 
@@ -157,10 +219,12 @@ void draw(const ScreenTriangle& triangle, const Drawn& drawn, const Target& targ
   // The anchor must be the row's first covered pixel, so the box is cut at the tile's rows but, on
   // its left, not at its columns; boxes that straddle tiles go the general way.
   if (box.x_begin < target.rect.x_begin) return draw_spans(triangle, drawn, target);
-  draw_small(triangle, drawn,
-             {box.x_begin, std::max(box.y_begin, target.rect.y_begin),
-              std::min(box.x_end, target.rect.x_end), std::min(box.y_end, target.rect.y_end)},
-             target);
+  const Rect part{box.x_begin, std::max(box.y_begin, target.rect.y_begin),
+                  std::min(box.x_end, target.rect.x_end), std::min(box.y_end, target.rect.y_end)};
+  if (box.x_end - box.x_begin <= tiny_size && box.y_end - box.y_begin <= tiny_size)
+    draw_tiny(triangle, drawn, part, target);
+  else
+    draw_small(triangle, drawn, part, target);
 }
 
 }  // namespace
@@ -204,15 +268,17 @@ void scan_convert(TriangleId id, VisibilityTile& visibility) {
   const DrawnTriangle& record = *visibility.triangles[id];
   const auto offsets = sample_offsets(visibility.samples);
   const auto& v = record.vertices;
-  const ScreenTriangle triangle = screen_triangle(v[0], v[1], v[2]);
+  ScreenTriangle triangle = screen_triangle(v[0], v[1], v[2]);
   for (std::size_t s = 0; s < offsets.size(); ++s) {
     // Moving the triangle by minus the offset puts the sample where the centre was.
-    ScreenTriangle moved = triangle;
-    for (ScreenVertex& vertex : moved.vertices) vertex.x -= offsets[s].x, vertex.y -= offsets[s].y;
+    for (ScreenVertex& vertex : triangle.vertices)
+      vertex.x -= offsets[s].x, vertex.y -= offsets[s].y;
     const std::size_t row = visibility.row(int(s), visibility.rect.y_begin);
-    draw(moved, {visibility.triangles, id},
+    draw(triangle, {visibility.triangles, id},
          {visibility.rect, visibility.depth.data() + row, visibility.triangle.data() + row,
           visibility.stride});
+    for (ScreenVertex& vertex : triangle.vertices)
+      vertex.x += offsets[s].x, vertex.y += offsets[s].y;
   }
 }
 

@@ -17,9 +17,9 @@ namespace scanlit {
 /// The pixels whose centres lie in a triangle's box [x_min, x_max) x [y_min, y_max), outside of
 /// which it covers none. Not limited to the picture; may be empty.
 inline Rect centre_bounds(const ScreenTriangle& triangle) {
-  const auto [a, b, c] = triangle.vertices;
-  const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
-  const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
+  const auto& [a, b, c] = triangle.vertices;
+  const int x_min = std::min(a.x, std::min(b.x, c.x)), x_max = std::max(a.x, std::max(b.x, c.x));
+  const int y_min = std::min(a.y, std::min(b.y, c.y)), y_max = std::max(a.y, std::max(b.y, c.y));
   const int up = half_pixel - 1;  // up to the next centre; the shifts round down
   return {(x_min + up) >> 8, (y_min + up) >> 8, (x_max + up) >> 8, (y_max + up) >> 8};
 }
@@ -70,7 +70,7 @@ class EdgeWalker {
 template <class Emit>
 void for_each_span(const ScreenTriangle& triangle, int y_begin, int y_end, const Emit& emit) {
   if (triangle.twice_area == 0) return;
-  const auto [a, b, c] = triangle.vertices;
+  const auto& [a, b, c] = triangle.vertices;
   const Rect bounds = centre_bounds(triangle);
   const int first_row = std::max(y_begin, bounds.y_begin);
   const int end_row = std::min(y_end, bounds.y_end);
@@ -101,9 +101,10 @@ void for_each_span(const ScreenTriangle& triangle, int y_begin, int y_end, const
   }
 }
 
-/// Depth over a triangle, linear on the screen. Once per row in double from exact edge functions,
-/// rounded once; within a row by one unfused float step from the row's first covered pixel. So it
-/// is as precise in a sliver as in any triangle, and never outside the triangle's own depths.
+/// Depth over a triangle (which must outlive it), linear on the screen. Once per row in double from
+/// exact edge functions, rounded once; within a row by one unfused float step from the row's first
+/// covered pixel. So it is as precise in a sliver as in any triangle, and never outside the
+/// triangle's own depths.
 class DepthPlane {
  public:
   explicit DepthPlane(const ScreenTriangle& t)
@@ -127,11 +128,11 @@ class DepthPlane {
     const double weight_b = double(a_.y - c_.y), weight_c = double(b_.y - a_.y);
     return float((weight_b * to_b_ + weight_c * to_c_) * inverse_area_ * subpixel);
   }
-  float min() const { return std::min({a_.depth, b_.depth, c_.depth}); }
-  float max() const { return std::max({a_.depth, b_.depth, c_.depth}); }
+  float min() const { return std::min(a_.depth, std::min(b_.depth, c_.depth)); }
+  float max() const { return std::max(a_.depth, std::max(b_.depth, c_.depth)); }
 
  private:
-  ScreenVertex a_, b_, c_;
+  const ScreenVertex &a_, &b_, &c_;
   double inverse_area_, to_b_, to_c_;
 };
 

@@ -63,9 +63,9 @@ void for_each_lane(IntMask mask, const Use& use) {
 Rect pixel_bounds(const ScreenTriangle& t, int samples) {
   if (samples == 1) return centre_bounds(t);
   // More samples than one lie anywhere in their pixel.
-  const auto [a, b, c] = t.vertices;
-  const auto [x_min, x_max] = std::minmax({a.x, b.x, c.x});
-  const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
+  const auto& [a, b, c] = t.vertices;
+  const int x_min = std::min(a.x, std::min(b.x, c.x)), x_max = std::max(a.x, std::max(b.x, c.x));
+  const int y_min = std::min(a.y, std::min(b.y, c.y)), y_max = std::max(a.y, std::max(b.y, c.y));
   return {x_min >> 8, y_min >> 8, (x_max >> 8) + 1, (y_max >> 8) + 1};
 }
 

@@ -93,7 +93,7 @@ void ScanlitSide::prepare(const BenchScene& scene) {
 void ScanlitSide::draw(const BenchScene& scene, int frame) {
   for (std::size_t i = 0; i < scene.placements.size(); ++i)
     scene_.objects[i].world_from_object = world_from_object(scene, scene.placements[i], frame);
-  stats_ = render(scene_, camera_, settings_, framebuffer_);
+  stats_ = renderer_.render(scene_, camera_, settings_, framebuffer_);
   const auto start = Clock::now();
   to_rgba8(framebuffer_, settings_.threads, picture_.data());
   conversion_seconds_ = std::chrono::duration<double>(Clock::now() - start).count();

@@ -27,6 +27,7 @@ class ScanlitSide {
   double conversion_seconds() const { return conversion_seconds_; }
 
  private:
+  Renderer renderer_;
   RenderSettings settings_;
   Scene scene_;
   Camera camera_;
