@@ -51,18 +51,16 @@ struct MeshClusters {
 /// The triangles of one cluster are sorted by their numbers in the mesh.
 MeshClusters make_clusters(const Mesh& mesh);
 
-/// The clusters of the meshes that were asked for, for as long as those live. A Mesh never changes;
-/// one that is made at the place of another is another mesh, and a copy is a mesh of its own. Not
-/// for use by two threads at once.
+/// The clusters of the meshes that were asked for, for as long as those live. A Mesh never changes,
+/// and a copy of it is a mesh of its own. Not for use by two threads at once.
 class ClusterCache {
  public:
-  /// Valid until the mesh is gone and another is asked for.
-  const MeshClusters& of(const std::shared_ptr<const Mesh>& mesh);
+  std::shared_ptr<const MeshClusters> of(const std::shared_ptr<const Mesh>& mesh);
 
  private:
   struct Entry {
     std::weak_ptr<const Mesh> mesh;
-    std::unique_ptr<const MeshClusters> clusters;
+    std::shared_ptr<const MeshClusters> clusters;
   };
   std::unordered_map<const Mesh*, Entry> entries_;
 };
