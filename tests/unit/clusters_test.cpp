@@ -13,7 +13,6 @@
 #include <set>
 
 #include "rasterizer/shapes.h"
-#include "tests/bench/bench_scenes.h"
 
 namespace scanlit {
 namespace {
@@ -175,12 +174,22 @@ TEST(Clusters, AreCompactWhateverTheOrderOfTriangles) {
   }
 }
 
+// One within another, much closer than a cluster is wide.
 TEST(Clusters, DoNotMixSurfacesThatDoNotMeet) {
-  const Mesh mesh = *bench::make_bench_scene("S5M").mesh;  // spheres of 2,000 triangles each
-  const MeshClusters clusters = make_clusters(mesh);
+  const Mesh sphere = make_shape("sphere:22");
+  Mesh nested;
+  for (int i = 0; i < 20; ++i) {
+    const auto first = std::uint32_t(nested.positions.size());
+    for (const glm::vec3& p : sphere.positions)
+      nested.positions.push_back(p * (1 + 0.01f * float(i)));
+    nested.normals.insert(nested.normals.end(), sphere.normals.begin(), sphere.normals.end());
+    for (const std::uint32_t v : sphere.indices) nested.indices.push_back(first + v);
+  }
+  const MeshClusters clusters = make_clusters(nested);
   for (const Cluster& cluster : clusters.clusters) {
     const std::uint32_t* first = &clusters.triangles[cluster.first_triangle];
-    EXPECT_EQ(first[0] / 2000, first[cluster.triangle_count - 1] / 2000);
+    EXPECT_EQ(first[0] / sphere.triangle_count(),
+              first[cluster.triangle_count - 1] / sphere.triangle_count());
   }
 }
 
