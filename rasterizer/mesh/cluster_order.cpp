@@ -1,3 +1,8 @@
+// First along Morton's curve, which is cheap and sorts any number of triangles into blocks that
+// stay in the cache; then each block is halved and halved again, which is what makes the groups
+// compact. Of a sphere of a million triangles, groups of 128 have .80 vertices a triangle along
+// Morton's curve alone and .81 along Hilbert's, which takes longer; halved blocks have .73. (The
+// least, squares of 8 x 8 quadrilaterals, is .63.)
 #include "rasterizer/mesh/cluster_order.h"
 
 #include <tbb/parallel_for.h>
@@ -5,52 +10,28 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
-#include <numeric>
+
+#include "rasterizer/mesh/connected_pieces.h"
 
 namespace scanlit {
 
 namespace {
 
 /// Fewer triangles that hang together than this are no surface: facets whose vertices are not
-/// shared, leaves, hairs. They are sorted by place alone, so that clusters of them are full.
+/// shared, leaves, hairs. They are sorted by place alone, so that groups of them are full.
 constexpr std::uint32_t smallest_piece = 128;
 
-/// For each vertex the lowest vertex that it is connected to by triangles: union-find, with halved
-/// paths. (Robert Tarjan, Jan van Leeuwen, "Worst-case analysis of set union algorithms", JACM
-/// 31(2), 1984.)
-std::vector<std::uint32_t> connected_pieces(const Mesh& mesh) {
-  std::vector<std::uint32_t> parent(mesh.positions.size());
-  std::iota(parent.begin(), parent.end(), 0u);
-  const auto root = [&](std::uint32_t v) {
-    while (parent[v] != v) v = parent[v] = parent[parent[v]];
-    return v;
-  };
-  const auto join = [&](std::uint32_t a, std::uint32_t b) {
-    parent[std::max(a, b)] = std::min(a, b);
-    return std::min(a, b);
-  };
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
-    const std::uint32_t a = join(root(mesh.indices[i]), root(mesh.indices[i + 1]));
-    join(a, root(mesh.indices[i + 2]));
-  }
-  // Parents come before their children.
-  for (std::uint32_t& v : parent) v = parent[v];
-  return parent;
-}
+constexpr std::uint32_t largest_block = 4096;
 
-/// For each vertex the number of its piece of the surface, from 1 in the order of the mesh; 0 for
-/// all that are too small.
-std::vector<std::uint32_t> number_pieces(const Mesh& mesh) {
-  std::vector<std::uint32_t> piece = connected_pieces(mesh);
-  std::vector<std::uint32_t> size(piece.size());
-  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) ++size[piece[mesh.indices[i]]];
-  std::uint32_t last = 0;
-  for (std::size_t v = 0; v < piece.size(); ++v) {
-    const bool is_root = piece[v] == v;
-    piece[v] = !is_root ? piece[piece[v]] : size[v] < smallest_piece ? 0 : ++last;
-  }
-  return piece;
-}
+struct Box {
+  glm::vec3 low, high;
+
+  explicit Box(const glm::vec3& p) : low(p), high(p) {}
+  void add(const glm::vec3& p) { low = glm::min(low, p), high = glm::max(high, p); }
+  glm::vec3 extent() const { return high - low; }
+};
+
+float largest(const glm::vec3& v) { return std::max({v.x, v.y, v.z}); }
 
 struct Key {
   std::uint64_t place;  // number of the piece, then place on the curve
@@ -60,65 +41,144 @@ struct Key {
     return a.place != b.place ? a.place < b.place : a.triangle < b.triangle;
   }
 };
-constexpr int place_bits = 3 * hilbert_bits;
 
-/// Cells of the curve's cube, whose sides are those of the mesh's longest extent.
-class Grid {
- public:
-  explicit Grid(const Mesh& mesh) {
-    glm::vec3 high(low_);
-    if (!mesh.positions.empty()) low_ = high = mesh.positions[0];
-    for (const glm::vec3& p : mesh.positions) low_ = glm::min(low_, p), high = glm::max(high, p);
-    const glm::dvec3 extent = glm::dvec3(high) - glm::dvec3(low_);
-    const double longest = std::max({extent.x, extent.y, extent.z});
-    if (longest > 0) cells_per_length_ = ((1 << hilbert_bits) - 1) / longest;
-  }
-  std::uint32_t cell(const glm::dvec3& p, int axis) const {
-    const double cell = (p[axis] - low_[axis]) * cells_per_length_;
-    // So that NaN becomes 0.
-    return cell > 0 ? std::uint32_t(std::min(cell, double((1 << hilbert_bits) - 1))) : 0;
-  }
+// Cells along each side of the curve's cube: 2^14. Above the 42 bits of a place on the curve there
+// is room for the numbers of 2^22 pieces; more would merely share numbers.
+constexpr int cell_bits = 14;
+constexpr int place_bits = 3 * cell_bits;
 
- private:
-  glm::vec3 low_{0};
-  double cells_per_length_ = 0;
-};
+/// Bit i goes to bit 3 i; of cell_bits bits.
+std::uint64_t spread(std::uint64_t bits) {
+  bits = (bits | bits << 32) & 0x001f00000000ffff;
+  bits = (bits | bits << 16) & 0x001f0000ff0000ff;
+  bits = (bits | bits << 8) & 0x100f00f00f00f00f;
+  bits = (bits | bits << 4) & 0x10c30c30c30c30c3;
+  return (bits | bits << 2) & 0x1249249249249249;
+}
 
 std::vector<Key> sorted_keys(const Mesh& mesh) {
-  const std::vector<std::uint32_t> piece = number_pieces(mesh);
-  const Grid grid(mesh);
   std::vector<Key> keys(mesh.triangle_count());
+  if (keys.empty()) return keys;
+  const std::vector<std::uint32_t> piece = connected_pieces(mesh, smallest_piece);
+  Box box(mesh.positions[mesh.indices[0]]);
+  for (const glm::vec3& p : mesh.positions) box.add(p);
+  constexpr float last_cell = (1 << cell_bits) - 1;
+  const float cells_per_length = last_cell / largest(box.extent());
+
   tbb::parallel_for(std::size_t(0), keys.size(), [&](std::size_t t) {
     const std::uint32_t* v = &mesh.indices[3 * t];
-    const glm::dvec3 a(mesh.positions[v[0]]), b(mesh.positions[v[1]]), c(mesh.positions[v[2]]);
-    const glm::dvec3 centroid = (a + b + c) / 3.0;
-    const std::uint64_t place =
-        hilbert_index(grid.cell(centroid, 0), grid.cell(centroid, 1), grid.cell(centroid, 2));
+    const auto cell = [&](int axis) {
+      const float sum =
+          mesh.positions[v[0]][axis] + mesh.positions[v[1]][axis] + mesh.positions[v[2]][axis];
+      const float cells = (sum / 3 - box.low[axis]) * cells_per_length;
+      return cells > 0 ? std::uint64_t(std::min(cells, last_cell)) : 0;  // NaN becomes 0
+    };
+    const std::uint64_t place = spread(cell(0)) << 2 | spread(cell(1)) << 1 | spread(cell(2));
     keys[t] = {std::uint64_t(piece[v[0]]) << place_bits | place, std::uint32_t(t)};
   });
   tbb::parallel_sort(keys);
   return keys;
 }
 
-}  // namespace
+/// A triangle's centroid, and the mean of its vertices' normals: those of a rough surface differ
+/// less than those of its triangles, which are better not sorted by direction.
+struct Facet {
+  glm::vec3 place[2];
+  std::uint32_t triangle;
+};
 
-// John Skilling, "Programming the Hilbert curve", AIP Conference Proceedings 707, 2004: the cube's
-// cells are turned and mirrored level by level, without a table, then Gray-coded.
-std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z) {
-  const auto spread=[](std::uint64_t v){ v=(v|v<<32)&0x1f00000000ffff; v=(v|v<<16)&0x1f0000ff0000ff; v=(v|v<<8)&0x100f00f00f00f00f; v=(v|v<<4)&0x10c30c30c30c30c3; v=(v|v<<2)&0x1249249249249249; return v;};
-  return spread(x)<<2|spread(y)<<1|spread(z);
+struct Halving {
+  Facet* facets;
+  float normal_scale;  // length that differs as much as normals do by 1
+  std::uint32_t largest_group;
+  std::vector<std::uint32_t> ends;
+
+  /// Halves [begin, end) where it is longest, until groups are small enough.
+  void halve(std::uint32_t begin, std::uint32_t end) {
+    const std::uint32_t size = end - begin;
+    const std::uint32_t groups = (size + largest_group - 1) / largest_group;
+    if (groups <= 1) {
+      ends.push_back(end);
+      return;
+    }
+    Box centroids(facets[begin].place[0]), normals(facets[begin].place[1]);
+    for (std::uint32_t i = begin + 1; i < end; ++i) {
+      centroids.add(facets[i].place[0]);
+      normals.add(facets[i].place[1]);
+    }
+    const glm::vec3 extents[2] = {centroids.extent(), normals.extent() * normal_scale};
+    const int kind = largest(extents[1]) > largest(extents[0]);
+    const glm::vec3& e = extents[kind];
+    const int axis = e.x >= e.y && e.x >= e.z ? 0 : e.y >= e.z ? 1 : 2;
+
+    const std::uint32_t middle = begin + std::uint32_t(std::uint64_t(size) * (groups / 2) / groups);
+    std::nth_element(facets + begin, facets + middle, facets + end,
+                     [=](const Facet& a, const Facet& b) {
+                       const float a_place = a.place[kind][axis], b_place = b.place[kind][axis];
+                       return a_place != b_place ? a_place < b_place : a.triangle < b.triangle;
+                     });
+    halve(begin, middle);
+    halve(middle, end);
+  }
+};
+
+/// Regroups triangles[0, size); returns the groups' ends.
+std::vector<std::uint32_t> halve_block(const Mesh& mesh, std::uint32_t* triangles,
+                                       std::uint32_t size, std::uint32_t largest_group) {
+  std::vector<Facet> facets(size);
+  Box box(mesh.positions[mesh.indices[3 * std::size_t(triangles[0])]]);
+  for (std::uint32_t i = 0; i < size; ++i) {
+    Facet& facet = facets[i];
+    facet = {.place = {glm::vec3(0), glm::vec3(0)}, .triangle = triangles[i]};
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::uint32_t vertex = mesh.indices[3 * std::size_t(triangles[i]) + c];
+      facet.place[0] += mesh.positions[vertex] / 3.0f;
+      facet.place[1] += mesh.normals[vertex] / 3.0f;
+    }
+    box.add(facet.place[0]);
+  }
+  // Opposite normals, whose distance is 2, count as much as this share of the block's extent: more
+  // divides a thick plate into its sides before its parts are compact, less never does.
+  const float opposite = 0.6f;
+  Halving halving{facets.data(), opposite / 2 * largest(box.extent()), largest_group, {}};
+  halving.halve(0, size);
+  for (std::uint32_t i = 0; i < size; ++i) triangles[i] = facets[i].triangle;
+  return std::move(halving.ends);
 }
 
-ClusterOrder cluster_order(const Mesh& mesh) {
-  const std::vector<Key> keys = sorted_keys(mesh);
-  ClusterOrder order;
-  order.triangles.resize(keys.size());
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    order.triangles[i] = keys[i].triangle;
-    const bool last = i + 1 == keys.size();
-    if (last || keys[i].place >> place_bits != keys[i + 1].place >> place_bits)
-      order.section_ends.push_back(std::uint32_t(i + 1));
+/// Ends of blocks of nearly equal size, each of one piece of the surface.
+std::vector<std::uint32_t> block_ends(const std::vector<Key>& keys) {
+  std::vector<std::uint32_t> ends;
+  std::size_t begin = 0;
+  for (std::size_t end = 1; end <= keys.size(); ++end) {
+    if (end < keys.size() && keys[end].place >> place_bits == keys[begin].place >> place_bits)
+      continue;
+    const std::size_t size = end - begin, blocks = (size + largest_block - 1) / largest_block;
+    for (std::size_t i = 1; i <= blocks; ++i)
+      ends.push_back(std::uint32_t(begin + size * i / blocks));
+    begin = end;
   }
+  return ends;
+}
+
+}  // namespace
+
+ClusterOrder cluster_order(const Mesh& mesh, std::uint32_t largest_group) {
+  ClusterOrder order;
+  order.triangles.resize(mesh.triangle_count());
+  std::vector<std::uint32_t> blocks;
+  {
+    const std::vector<Key> keys = sorted_keys(mesh);
+    for (std::size_t i = 0; i < keys.size(); ++i) order.triangles[i] = keys[i].triangle;
+    blocks = block_ends(keys);
+  }  // their memory is of use to what follows
+  std::vector<std::vector<std::uint32_t>> ends(blocks.size());
+  const auto begin = [&](std::size_t block) { return block == 0 ? 0 : blocks[block - 1]; };
+  tbb::parallel_for(std::size_t(0), blocks.size(), [&](std::size_t b) {
+    ends[b] = halve_block(mesh, &order.triangles[begin(b)], blocks[b] - begin(b), largest_group);
+  });
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    for (const std::uint32_t end : ends[b]) order.ends.push_back(begin(b) + end);
   return order;
 }
 

@@ -8,16 +8,13 @@
 
 namespace scanlit {
 
-/// The mesh's triangles along a curve that keeps neighbours together, one connected piece of the
-/// surface after another: sheets that lie close, one behind the other, stay apart.
+/// The mesh's triangles in compact groups of nearly equal size, one after another. Sheets that lie
+/// close behind one another stay apart: where no triangles connect them always, otherwise where
+/// their normals differ.
 struct ClusterOrder {
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> section_ends;  // in `triangles`; no cluster should reach beyond one
+  std::vector<std::uint32_t> ends;  // of the groups, in `triangles`
 };
-ClusterOrder cluster_order(const Mesh& mesh);
-
-/// Where (x, y, z) lies along Hilbert's curve through a cube of (2^hilbert_bits)^3 cells.
-constexpr int hilbert_bits = 14;
-std::uint64_t hilbert_index(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+ClusterOrder cluster_order(const Mesh& mesh, std::uint32_t largest_group);
 
 }  // namespace scanlit

@@ -21,6 +21,11 @@ float downwards(double positive) {
   return positive > 0 ? std::max(0.0f, std::nextafter(float(positive), 0.0f)) : 0.0f;
 }
 
+/// What is not finite is larger than anything: a sphere that holds it is never culled.
+double larger(double a, double b) {
+  return std::isfinite(b) ? std::max(a, b) : std::numeric_limits<double>::infinity();
+}
+
 void bound_by_sphere(const Mesh& mesh, const std::uint32_t* vertices, Cluster& cluster) {
   glm::vec3 low = mesh.positions[vertices[0]], high = low;
   for (int v = 1; v < cluster.vertex_count; ++v) {
@@ -31,8 +36,7 @@ void bound_by_sphere(const Mesh& mesh, const std::uint32_t* vertices, Cluster& c
   double radius = 0;
   for (int v = 0; v < cluster.vertex_count; ++v) {
     const glm::dvec3 offset = glm::dvec3(mesh.positions[vertices[v]]) - glm::dvec3(cluster.centre);
-    // Not std::max: NaN shall stay.
-    if (const double distance = glm::length(offset); !(distance <= radius)) radius = distance;
+    radius = larger(radius, glm::length(offset));
   }
   cluster.radius = upwards(radius);
 }
@@ -137,21 +141,6 @@ void cut(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, LocalNumbers&
   }
 }
 
-/// Where clusters begin, if none has too many vertices: those of a section are of one size.
-std::vector<std::uint32_t> even_cuts(const ClusterOrder& order) {
-  std::vector<std::uint32_t> cuts;
-  std::uint32_t begin = 0;
-  for (const std::uint32_t end : order.section_ends) {
-    const std::uint64_t size = end - begin;
-    const std::uint64_t count = (size + Cluster::max_triangles - 1) / Cluster::max_triangles;
-    for (std::uint64_t i = 0; i < count; ++i)
-      cuts.push_back(begin + std::uint32_t(size * i / count));
-    begin = end;
-  }
-  cuts.push_back(begin);
-  return cuts;
-}
-
 Sphere bounds_of(const std::vector<Cluster>& clusters) {
   if (clusters.empty()) return {};
   glm::dvec3 low(clusters[0].centre), high(low);
@@ -161,9 +150,8 @@ Sphere bounds_of(const std::vector<Cluster>& clusters) {
   }
   Sphere bounds{(low + high) * 0.5, 0};
   for (const Cluster& cluster : clusters) {
-    const double reach =
-        glm::distance(bounds.centre, glm::dvec3(cluster.centre)) + double(cluster.radius);
-    if (!(reach <= bounds.radius)) bounds.radius = reach;
+    const double distance = glm::distance(bounds.centre, glm::dvec3(cluster.centre));
+    bounds.radius = larger(bounds.radius, distance + double(cluster.radius));
   }
   bounds.radius *= 1 + 1e-12;  // the rounding of the lines above
   return bounds;
@@ -172,8 +160,7 @@ Sphere bounds_of(const std::vector<Cluster>& clusters) {
 }  // namespace
 
 MeshClusters make_clusters(const Mesh& mesh) {
-  ClusterOrder order = cluster_order(mesh);
-  const std::vector<std::uint32_t> cuts = even_cuts(order);
+  ClusterOrder order = cluster_order(mesh, Cluster::max_triangles);
   MeshClusters result;
   result.triangles = std::move(order.triangles);
   for (auto& corners : result.corners)
@@ -183,14 +170,22 @@ MeshClusters make_clusters(const Mesh& mesh) {
     std::vector<Cluster> clusters;
     std::vector<std::uint32_t> vertices;
   };
-  const std::size_t grain = 64, cluster_count = cuts.size() - 1;
-  std::vector<Part> parts((cluster_count + grain - 1) / grain);
+  const std::size_t grain = 64, groups = order.ends.size();
+  std::vector<Part> parts((groups + grain - 1) / grain);
   tbb::parallel_for(std::size_t(0), parts.size(), [&](std::size_t p) {
     LocalNumbers local;
-    for (std::size_t i = p * grain; i < std::min(cluster_count, (p + 1) * grain); ++i)
-      cut(mesh, cuts[i], cuts[i + 1], local, result, parts[p].clusters, parts[p].vertices);
+    for (std::size_t i = p * grain; i < std::min(groups, (p + 1) * grain); ++i)
+      cut(mesh, i == 0 ? 0 : order.ends[i - 1], order.ends[i], local, result, parts[p].clusters,
+          parts[p].vertices);
   });
 
+  std::size_t cluster_count = 0, vertex_count = 0;
+  for (const Part& part : parts) {
+    cluster_count += part.clusters.size();
+    vertex_count += part.vertices.size();
+  }
+  result.clusters.reserve(cluster_count);
+  result.vertices.reserve(vertex_count);
   for (const Part& part : parts) {
     const auto first_vertex = std::uint32_t(result.vertices.size());
     for (Cluster cluster : part.clusters) {

@@ -26,8 +26,8 @@ struct Cluster {
   glm::vec3 centre;
   float radius;
 
-  // A cone that holds every triangle's geometric normal: cosine and sine of its half angle. Cosine
-  // 0 and sine 1 where no cone narrower than a half space does.
+  // A cone that holds every triangle's geometric normal: cosine and sine of its half angle. Where
+  // it would be as wide as a half space or wider there is none: cosine 0, sine 1.
   glm::vec3 axis;  // unit
   float cosine, sine;
 

@@ -12,12 +12,16 @@
 //   S6         sphere of 2,000 triangles                    Phong, 16 point lights
 //   S7         sphere of 10,000,000 triangles               Gouraud
 //   S8G  S8P   torus of 100,000 triangles                   Gouraud and Phong
+//   S9         1,000 teapots in a room (bench_room.h)       Phong
+//   S10L       S9, in which only the light turns            Phong; what stands from the last
+//   S10M       S9, in which only one teapot turns           frame may be reused, in these three
+//   S10N       S9, in which nothing moves                   alone
 //
 // 1920x1080 pixels with centres at half-integers, 8 bits each of linear RGBA, values clamped to
 // [0, 1] and rounded to nearest, alpha 1 where covered, all 0 elsewhere. Back faces are culled.
-// From frame to frame the object turns by .01 rad about the vertical axis. With n = normalize of
-// the interpolated normal, v towards the eye, h = normalize(l + v) and the light l =
-// normalize(1,1,1):
+// From frame to frame what moves turns by .01 rad about the vertical axis: the object in S1 to S8;
+// in S9 the teapots and the camera; in S10L the light. With n = normalize of the interpolated
+// normal, v towards the eye, h = normalize(l + v) and the light l = normalize(1,1,1):
 //
 //   Phong           .05 b + b max(n.l, 0) + .3 max(n.h, 0)^32 [n.l > 0],  b = (.7, .3, .2)
 //   Gouraud         the same at the vertices, clamped to [0, 1] there
@@ -42,21 +46,25 @@ constexpr double fov_deg = 45, near_distance = 1, far_distance = 100;
 
 enum class Shader { gouraud, phong, cook_torrance, point_lights };
 
-/// One draw of the scene's mesh: scaled, then moved.
+/// One draw: a mesh scaled, turned about the vertical axis, and moved.
 struct Placement {
-  double scale = 1;
-  glm::dvec3 centre{0};
+  std::shared_ptr<const Mesh> mesh;
+  glm::dvec3 scale{1}, centre{0};
+  double angle = 0;  // rad, in frame 0
+  bool turns = true;
+  glm::dvec3 base{.7, .3, .2};  // b
 };
 
 struct BenchScene {
   std::string name;
   Shader shader = Shader::phong;
-  std::shared_ptr<const Mesh> mesh;
   std::vector<Placement> placements;  // one draw each, in this order
-  glm::dvec3 eye{0, 0, 4.15};         // looks along -z, +y up
+  glm::dvec3 eye{0, 0, 4.15};         // looks along -z in frame 0, +y up
+  bool camera_turns = false, light_turns = false;
   // S5M turns about the eye, so that its spheres go on hiding each other; to and fro, so that they
   // stay in the picture.
   bool to_and_fro = false;
+  bool reuse = false;  // S10
 };
 
 const std::vector<std::string>& scene_names();
@@ -64,12 +72,15 @@ const std::vector<std::string>& scene_names();
 /// `name` is one of scene_names().
 BenchScene make_bench_scene(const std::string& name);
 
-/// The transform of a draw in frame 0, 1, 2, ...
+// In frame 0, 1, 2, ...
 glm::mat4 world_from_object(const BenchScene& scene, const Placement& placement, int frame);
+glm::dvec3 viewing_direction(const BenchScene& scene, int frame);  // unit
+glm::dvec3 to_light(const BenchScene& scene, int frame);           // unit; no point lights
 
 struct PointLight {
   glm::dvec3 position, colour;
 };
-std::vector<PointLight> point_lights();
+/// `count` lights on a circle of radius 3 at z = 2; their colours go once round the hues.
+std::vector<PointLight> point_lights(int count = 16);
 
 }  // namespace scanlit::bench

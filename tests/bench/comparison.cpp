@@ -1,9 +1,7 @@
 #include "comparison.h"
 
-#include <algorithm>
-#include <chrono>
-#include <ctime>
-#include <thread>
+#include <cstring>
+#include <functional>
 #include <vector>
 
 #include "rasterizer/error.h"
@@ -11,40 +9,6 @@
 namespace scanlit::bench {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-double cpu_seconds() {
-  std::timespec time{};
-  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
-  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  const std::size_t half = values.size() / 2;
-  return values.size() % 2 ? values[half] : (values[half - 1] + values[half]) / 2;
-}
-
-/// One renderer's frames.
-struct Times {
-  std::vector<double> wall_ms, cpu_ms;
-
-  template <class Draw>
-  void measure(const Draw& draw) {
-    // So that the other renderer's worker threads, which look for work a while longer, are asleep.
-    std::this_thread::sleep_for(std::chrono::microseconds(500));
-    const double cpu = cpu_seconds();
-    const auto start = Clock::now();
-    draw();
-    wall_ms.push_back(1e3 * std::chrono::duration<double>(Clock::now() - start).count());
-    cpu_ms.push_back(1e3 * (cpu_seconds() - cpu));
-  }
-
-  FrameTime summary() const {
-    return {median(wall_ms), *std::ranges::min_element(wall_ms), median(cpu_ms)};
-  }
-};
 
 struct StageTimes {
   std::map<std::string, std::vector<double>> ms;
@@ -61,65 +25,85 @@ struct StageTimes {
   }
 };
 
-PictureDifference compare_frame(const BenchScene& scene, int frame, ScanlitSide& scanlit,
-                                OsmesaPeer& peer) {
-  scanlit.draw(scene, frame);
-  peer.draw(scene, frame, Target::buffer);
-  const PictureDifference difference = compare(scanlit.picture(), peer.picture());
-  const Picture direct = peer.picture();
-  peer.draw(scene, frame, Target::framebuffer_object);
+/// One of those who draw the same frame in turn.
+struct Contender {
+  std::function<void(int frame)> draw;
+  std::function<void()> afterwards = [] {};  // not timed
+  Times times{};
+};
+
+}  // namespace
+
+PictureDifference Comparison::compare_frame(const BenchScene& scene, int frame) {
+  scanlit_.draw(scene, frame);
+  peer_.draw(scene, frame, Target::buffer);
+  const PictureDifference difference = compare(scanlit_.picture(), peer_.picture());
+  const Picture direct = peer_.picture();
+  peer_.draw(scene, frame, Target::framebuffer_object);
   // Ties of the fill rule lie on the other side there: the picture's rows run upwards.
-  if (!compare(direct, peer.upside_down()).same())
+  if (!compare(direct, peer_.upside_down()).same())
     throw Error(scene.name, "llvmpipe draws another picture into a framebuffer object");
   return difference;
 }
 
-}  // namespace
+/// Whether the picture that was drawn with reuse, frame by frame, is another.
+bool Comparison::reuse_shows(const BenchScene& scene) {
+  bool differs = false;
+  for (int frame = 0; frame < 5; ++frame) {
+    scanlit_.draw(scene, frame);
+    without_reuse_.draw(scene, frame);
+    differs |= scanlit_.picture() != without_reuse_.picture();
+  }
+  return differs;
+}
 
-SceneResult compare_scene(const BenchScene& scene, int threads, const Effort& effort,
-                          ScanlitSide& scanlit, OsmesaPeer& peer) {
-  scanlit.prepare(scene);
-  peer.prepare(scene);
+SceneResult Comparison::run(const BenchScene& scene) {
+  scanlit_.prepare(scene, scene.reuse);
+  peer_.prepare(scene);
   PictureDifference difference;
-  for (int frame = 0; frame < 2; ++frame)
-    difference.take_worse(compare_frame(scene, frame, scanlit, peer));
+  for (int frame = 0; frame < 2; ++frame) difference.take_worse(compare_frame(scene, frame));
 
-  Times scanlit_times, buffer_times, object_times;
   StageTimes stages;
-  const auto measure = [&](int renderer, int frame) {
-    if (renderer == 0) {
-      scanlit_times.measure([&] { scanlit.draw(scene, frame); });
-      stages.add(scanlit, threads);
-    } else if (renderer == 1) {
-      buffer_times.measure([&] { peer.draw(scene, frame, Target::buffer); });
-    } else {
-      object_times.measure([&] { peer.draw(scene, frame, Target::framebuffer_object); });
-    }
-  };
-  const auto start = Clock::now();
-  int frames = 0;
-  const auto goes_on = [&] {
-    const bool in_time = Clock::now() - start < std::chrono::duration<double>(effort.seconds);
-    return frames < effort.min_frames || (frames < effort.max_frames && in_time);
-  };
-  // None of the three always comes first.
-  for (; goes_on(); ++frames)
-    for (int turn = 0; turn < 3; ++turn) measure((turn + frames) % 3, 2 + frames);
+  std::vector<Contender> contenders = {
+      {[&](int frame) { scanlit_.draw(scene, frame); }, [&] { stages.add(scanlit_, threads_); }},
+      {[&](int frame) { peer_.draw(scene, frame, Target::buffer); }},
+      {[&](int frame) { peer_.draw(scene, frame, Target::framebuffer_object); }}};
+  Picture cleared(4 * std::size_t(picture_width) * picture_height);
+  if (scene.placements.empty())
+    contenders.push_back({[&](int frame) { std::memset(cleared.data(), frame, cleared.size()); }});
+  bool other_picture = false;
+  if (scene.reuse) {
+    without_reuse_.prepare(scene);
+    other_picture = reuse_shows(scene);
+    contenders.push_back({[&](int frame) { without_reuse_.draw(scene, frame); }});
+  }
 
-  difference.take_worse(compare_frame(scene, 2 + frames, scanlit, peer));
+  const int first = 5;  // after those that were drawn to compare
+  const int frames = repeat(effort_, [&](int round) {
+    for (std::size_t turn = 0; turn < contenders.size(); ++turn) {  // none always comes first
+      Contender& contender = contenders[(turn + std::size_t(round)) % contenders.size()];
+      contender.times.measure([&] { contender.draw(first + round); });
+      contender.afterwards();
+    }
+  });
+  difference.take_worse(compare_frame(scene, first + frames));
+
   SceneResult result{.scene = scene.name,
                      .peer = OsmesaPeer::version(),
-                     .threads = threads,
+                     .threads = threads_,
                      .frames = frames,
-                     .scanlit = scanlit_times.summary(),
-                     .buffer = buffer_times.summary(),
-                     .framebuffer_object = object_times.summary(),
+                     .scanlit = contenders[0].times.summary(),
+                     .buffer = contenders[1].times.summary(),
+                     .framebuffer_object = contenders[2].times.summary(),
+                     .yardstick = {},
                      .max_difference = double(difference.max),
                      .mean_difference = difference.mean,
                      .covered = {difference.covered[0], difference.covered[1]},
-                     .same = difference.same(),
+                     .same = difference.same() && !other_picture,
                      .difference = difference.words(),
                      .stages = {}};
+  if (contenders.size() > 3) result.yardstick = contenders[3].times.summary();
+  if (other_picture) result.difference = "reuse changes the picture; " + result.difference;
   for (const auto& [stage, ms] : stages.ms) result.stages[stage] = median(ms);
   return result;
 }
@@ -134,6 +118,10 @@ nlohmann::json as_json(const FrameTime& time) {
 
 FrameTime frame_time(const nlohmann::json& json) {
   return {json.at("median"), json.at("min"), json.at("cpu")};
+}
+
+const char* yardstick_name(const std::string& scene) {
+  return scene == "S0" ? "memset" : "scanlit_without_reuse";
 }
 
 }  // namespace
@@ -158,6 +146,7 @@ void to_json(nlohmann::json& json, const SceneResult& r) {
           {"llvmpipe_buffer", as_json(r.buffer)},
           {"llvmpipe_framebuffer_object", as_json(r.framebuffer_object)},
           {"scanlit_stages_ms", r.stages}};
+  if (r.yardstick) json[yardstick_name(r.scene)] = as_json(*r.yardstick);
 }
 
 void from_json(const nlohmann::json& json, SceneResult& r) {
@@ -168,6 +157,8 @@ void from_json(const nlohmann::json& json, SceneResult& r) {
   r.scanlit = frame_time(json.at("scanlit"));
   r.buffer = frame_time(json.at("llvmpipe_buffer"));
   r.framebuffer_object = frame_time(json.at("llvmpipe_framebuffer_object"));
+  if (json.contains(yardstick_name(r.scene)))
+    r.yardstick = frame_time(json.at(yardstick_name(r.scene)));
   r.max_difference = json.at("max_difference");
   r.mean_difference = json.at("mean_difference");
   json.at("covered").at(0).get_to(r.covered[0]);

@@ -3,22 +3,21 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 
 #include "osmesa_peer.h"
 #include "scanlit_side.h"
+#include "timing.h"
 
 namespace scanlit::bench {
-
-/// Milliseconds per frame: by the clock, and of all the process's threads.
-struct FrameTime {
-  double median_ms = 0, min_ms = 0, cpu_ms = 0;  // cpu_ms is a median, too
-};
 
 struct SceneResult {
   std::string scene, peer;  // peer: the other renderer's name and version
   int threads = 0, frames = 0;
   FrameTime scanlit, buffer, framebuffer_object;  // the latter two: llvmpipe's Target
+  // S0: one memset of the colour buffer. S10: Scanlit's whole frame, nothing reused.
+  std::optional<FrameTime> yardstick;
   double max_difference = 0, mean_difference = 0;
   std::int64_t covered[2] = {};  // by Scanlit, by llvmpipe
   bool same = false;
@@ -37,12 +36,21 @@ struct SceneResult {
 void to_json(nlohmann::json& json, const SceneResult& result);
 void from_json(const nlohmann::json& json, SceneResult& result);
 
-struct Effort {
-  double seconds;  // for a scene's timed frames, after the warm ones
-  int min_frames, max_frames;
-};
+/// Draws on so many threads; llvmpipe's number is in this process's environment.
+class Comparison {
+ public:
+  Comparison(int threads, const Effort& effort) : threads_(threads), effort_(effort) {}
 
-SceneResult compare_scene(const BenchScene& scene, int threads, const Effort& effort,
-                          ScanlitSide& scanlit, OsmesaPeer& peer);
+  SceneResult run(const BenchScene& scene);
+
+ private:
+  PictureDifference compare_frame(const BenchScene& scene, int frame);
+  bool reuse_shows(const BenchScene& scene);
+
+  int threads_;
+  Effort effort_;
+  ScanlitSide scanlit_{threads_}, without_reuse_{threads_};
+  OsmesaPeer peer_;
+};
 
 }  // namespace scanlit::bench

@@ -1,11 +1,13 @@
 // Draws one picture of S2 and says so: started by bench_versus_llvmpipe, which looks at the clock.
 #include <cstdio>
 
+#include "bench_shapes.h"
 #include "osmesa_peer.h"
 
 int main() {
   using namespace scanlit::bench;
-  const BenchScene scene = make_bench_scene("S2");
+  const BenchScene scene{.name = "S2",
+                         .placements = {{.mesh = std::make_shared<scanlit::Mesh>(sphere(26, 40))}}};
   OsmesaPeer renderer;
   renderer.prepare(scene);
   renderer.draw(scene, 0, Target::buffer);

@@ -70,7 +70,7 @@ void print_table(const Figures& figures) {
 int main(int argc, char** argv) {
   using namespace scanlit::bench;
   for (const auto& [name, scene] : {std::pair{"2000", "S2"}, std::pair{"1000000", "S4"}}) {
-    const auto mesh = make_bench_scene(scene).mesh;
+    const auto mesh = make_bench_scene(scene).placements[0].mesh;
     measure(std::string(name) + " 1", mesh, 1);
     measure(std::string(name) + " all", mesh, 0);
   }

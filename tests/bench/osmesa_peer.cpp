@@ -10,6 +10,7 @@
 #include <glm/mat3x3.hpp>
 #include <glm/matrix.hpp>
 #include <glm/trigonometric.hpp>
+#include <map>
 
 #include "osmesa_shaders.h"
 #include "rasterizer/error.h"
@@ -63,43 +64,8 @@ void set_lights(unsigned program) {
   set("light_colour", colours);
 }
 
-void upload(const Mesh& mesh, const unsigned (&buffers)[2]) {
-  std::vector<glm::vec3> interleaved;
-  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    interleaved.push_back(mesh.positions[i]);
-    interleaved.push_back(mesh.normals[i]);
-  }
-  const auto stride = GLsizei(2 * sizeof(glm::vec3));
-  glBindBuffer(GL_ARRAY_BUFFER, buffers[0]);
-  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(interleaved.size() * sizeof(glm::vec3)),
-               interleaved.data(), GL_STATIC_DRAW);
-  for (const unsigned attribute : {0u, 1u}) {
-    glEnableVertexAttribArray(attribute);
-    glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, stride,
-                          reinterpret_cast<const void*>(attribute * sizeof(glm::vec3)));
-  }
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers[1]);
-  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)),
-               mesh.indices.data(), GL_STATIC_DRAW);
-}
-
-void draw_all(const BenchScene& scene, int frame, unsigned program) {
-  const double aspect = double(picture_width) / picture_height;
-  const glm::dmat4 clip_from_world =
-      glm::perspective(glm::radians(fov_deg), aspect, near_distance, far_distance) *
-      glm::translate(glm::dmat4(1), -scene.eye);
-  const int clip = glGetUniformLocation(program, "clip_from_object");
-  const int world = glGetUniformLocation(program, "world_from_object");
-  const int normal = glGetUniformLocation(program, "normal_from_object");
-  for (const Placement& placement : scene.placements) {
-    const glm::mat4 m = world_from_object(scene, placement, frame);
-    const glm::mat4 clip_from_object(clip_from_world * glm::dmat4(m));
-    const glm::mat3 normal_from_object(glm::inverse(glm::transpose(glm::dmat3(glm::mat3(m)))));
-    glUniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_object));
-    glUniformMatrix4fv(world, 1, GL_FALSE, glm::value_ptr(m));
-    glUniformMatrix3fv(normal, 1, GL_FALSE, glm::value_ptr(normal_from_object));
-    glDrawElements(GL_TRIANGLES, GLsizei(scene.mesh->indices.size()), GL_UNSIGNED_INT, nullptr);
-  }
+void set(unsigned program, const char* name, const glm::vec3& value) {
+  glUniform3fv(glGetUniformLocation(program, name), 1, glm::value_ptr(value));
 }
 
 }  // namespace
@@ -129,9 +95,6 @@ OsmesaPeer::OsmesaPeer() {
   glDisable(GL_BLEND);
   glDisable(GL_DITHER);
   glClearColor(0, 0, 0, 0);
-  glGenVertexArrays(1, &vertex_array_);
-  glBindVertexArray(vertex_array_);
-  glGenBuffers(2, buffers_);
 }
 
 OsmesaPeer::~OsmesaPeer() {
@@ -154,23 +117,88 @@ void OsmesaPeer::make_framebuffer_object() {
     throw Error("llvmpipe gives no framebuffer of 8-bit RGBA with 24 bits of depth");
 }
 
+OsmesaPeer::Uploaded OsmesaPeer::upload(const Mesh& mesh) const {
+  Uploaded uploaded{.vertex_array = 0, .buffers = {}, .index_count = int(mesh.indices.size())};
+  glGenVertexArrays(1, &uploaded.vertex_array);
+  glBindVertexArray(uploaded.vertex_array);
+  glGenBuffers(2, uploaded.buffers);
+  std::vector<glm::vec3> interleaved;
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    interleaved.push_back(mesh.positions[i]);
+    interleaved.push_back(mesh.normals[i]);
+  }
+  const auto stride = GLsizei(2 * sizeof(glm::vec3));
+  glBindBuffer(GL_ARRAY_BUFFER, uploaded.buffers[0]);
+  glBufferData(GL_ARRAY_BUFFER, GLsizeiptr(interleaved.size() * sizeof(glm::vec3)),
+               interleaved.data(), GL_STATIC_DRAW);
+  for (const unsigned attribute : {0u, 1u}) {
+    glEnableVertexAttribArray(attribute);
+    glVertexAttribPointer(attribute, 3, GL_FLOAT, GL_FALSE, stride,
+                          reinterpret_cast<const void*>(attribute * sizeof(glm::vec3)));
+  }
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, uploaded.buffers[1]);
+  glBufferData(GL_ELEMENT_ARRAY_BUFFER, GLsizeiptr(mesh.indices.size() * sizeof(std::uint32_t)),
+               mesh.indices.data(), GL_STATIC_DRAW);
+  return uploaded;
+}
+
+void OsmesaPeer::drop_meshes() {
+  for (const Uploaded& mesh : meshes_) {
+    glDeleteVertexArrays(1, &mesh.vertex_array);
+    glDeleteBuffers(2, mesh.buffers);
+  }
+  meshes_.clear();
+  mesh_of_draw_.clear();
+}
+
 void OsmesaPeer::prepare(const BenchScene& scene) {
-  upload(*scene.mesh, buffers_);
+  drop_meshes();
+  std::map<const Mesh*, std::size_t> index;
+  for (const Placement& placement : scene.placements) {
+    const auto [entry, is_new] = index.try_emplace(placement.mesh.get(), meshes_.size());
+    if (is_new) meshes_.push_back(upload(*placement.mesh));
+    mesh_of_draw_.push_back(entry->second);
+  }
   glDeleteProgram(program_);
   program_ = link(shader_texts(scene.shader));
   glUseProgram(program_);
-  const glm::vec3 eye(scene.eye);
-  glUniform3fv(glGetUniformLocation(program_, "eye"), 1, glm::value_ptr(eye));
+  set(program_, "eye", scene.eye);
   if (scene.shader == Shader::point_lights) set_lights(program_);
   if (const GLenum error = glGetError(); error != GL_NO_ERROR)
     throw Error("OpenGL error " + std::to_string(error));
+}
+
+void OsmesaPeer::draw_all(const BenchScene& scene, int frame) const {
+  const double aspect = double(picture_width) / picture_height;
+  const glm::dmat4 clip_from_world =
+      glm::perspective(glm::radians(fov_deg), aspect, near_distance, far_distance) *
+      glm::lookAt(scene.eye, scene.eye + viewing_direction(scene, frame), glm::dvec3(0, 1, 0));
+  const int clip = glGetUniformLocation(program_, "clip_from_object");
+  const int world = glGetUniformLocation(program_, "world_from_object");
+  const int normal = glGetUniformLocation(program_, "normal_from_object");
+  const int base = glGetUniformLocation(program_, "base");
+  set(program_, "to_light", to_light(scene, frame));
+  for (std::size_t i = 0; i < scene.placements.size(); ++i) {
+    const Placement& placement = scene.placements[i];
+    const glm::mat4 m = world_from_object(scene, placement, frame);
+    const glm::mat4 clip_from_object(clip_from_world * glm::dmat4(m));
+    const glm::mat3 normal_from_object(glm::inverse(glm::transpose(glm::dmat3(glm::mat3(m)))));
+    const glm::vec3 colour(placement.base);
+    glUniformMatrix4fv(clip, 1, GL_FALSE, glm::value_ptr(clip_from_object));
+    glUniformMatrix4fv(world, 1, GL_FALSE, glm::value_ptr(m));
+    glUniformMatrix3fv(normal, 1, GL_FALSE, glm::value_ptr(normal_from_object));
+    glUniform3fv(base, 1, glm::value_ptr(colour));
+    const Uploaded& mesh = meshes_[mesh_of_draw_[i]];
+    glBindVertexArray(mesh.vertex_array);
+    glDrawElements(GL_TRIANGLES, mesh.index_count, GL_UNSIGNED_INT, nullptr);
+  }
 }
 
 void OsmesaPeer::draw(const BenchScene& scene, int frame, Target target) {
   const bool direct = target == Target::buffer;
   glBindFramebuffer(GL_FRAMEBUFFER, direct ? 0 : framebuffer_object_);
   glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-  draw_all(scene, frame, program_);
+  draw_all(scene, frame);
   if (direct)
     glFinish();
   else

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "bench_scenes.h"
 #include "picture_difference.h"
@@ -38,11 +39,22 @@ class OsmesaPeer {
   static std::string version();
 
  private:
+  /// A mesh in the renderer's memory: OpenGL's names for it.
+  struct Uploaded {
+    unsigned vertex_array, buffers[2];
+    int index_count;
+  };
+
   void make_framebuffer_object();
+  Uploaded upload(const Mesh& mesh) const;
+  void drop_meshes();
+  void draw_all(const BenchScene& scene, int frame) const;
 
   Picture picture_ = Picture(4 * std::size_t(picture_width) * picture_height);
   osmesa_context* context_ = nullptr;
-  unsigned framebuffer_object_ = 0, program_ = 0, vertex_array_ = 0, buffers_[2] = {};
+  unsigned framebuffer_object_ = 0, program_ = 0;
+  std::vector<Uploaded> meshes_;           // each mesh of the scene once
+  std::vector<std::size_t> mesh_of_draw_;  // index in meshes_
 };
 
 }  // namespace scanlit::bench

@@ -14,11 +14,9 @@ uniform mat3 normal_from_object;
 
 // Each of the following defines radiance(position, interpolated normal), in world space.
 const std::string blinn_phong = R"(
-uniform vec3 eye;
+uniform vec3 eye, base, to_light;
 vec3 radiance(vec3 p, vec3 normal) {
-  const vec3 base = vec3(.7, .3, .2);
-  const vec3 l = vec3(0.57735026919);
-  vec3 n = normalize(normal), v = normalize(eye - p), h = normalize(l + v);
+  vec3 l = to_light, n = normalize(normal), v = normalize(eye - p), h = normalize(l + v);
   float n_l = dot(n, l);
   float glossy = n_l > 0.0 ? .3 * pow(max(dot(n, h), 0.0), 32.0) : 0.0;
   return .05 * base + base * max(n_l, 0.0) + glossy;
@@ -27,7 +25,7 @@ vec3 radiance(vec3 p, vec3 normal) {
 
 // F is |r_s|^2 t / (t + u), the mean of both polarisations with a single division.
 const std::string cook_torrance = R"(
-uniform vec3 eye;
+uniform vec3 eye, to_light;
 const float pi = 3.14159265359;
 vec3 conductor(float c) {
   const vec3 eta = vec3(.143, .375, 1.442), k = vec3(3.983, 2.386, 1.603);
@@ -42,8 +40,7 @@ vec3 conductor(float c) {
 vec3 radiance(vec3 p, vec3 normal) {
   const vec3 kd = vec3(.3, .2, .05);
   const float m = .3;
-  const vec3 l = vec3(0.57735026919);
-  vec3 n = normalize(normal), v = normalize(eye - p), h = normalize(l + v);
+  vec3 l = to_light, n = normalize(normal), v = normalize(eye - p), h = normalize(l + v);
   float n_l = dot(n, l), n_v = max(dot(n, v), 1e-4);
   float n_h = max(dot(n, h), 1e-4), v_h = max(dot(v, h), 1e-4);
   float c2 = n_h * n_h, m2 = m * m;
@@ -55,10 +52,8 @@ vec3 radiance(vec3 p, vec3 normal) {
 )";
 
 const std::string point_lights_text = R"(
-uniform vec3 eye;
-uniform vec3 light_position[16], light_colour[16];
+uniform vec3 eye, base, light_position[16], light_colour[16];
 vec3 radiance(vec3 p, vec3 normal) {
-  const vec3 base = vec3(.7, .3, .2);
   vec3 n = normalize(normal), v = normalize(eye - p), sum = .05 * base;
   for (int k = 0; k < 16; ++k) {
     vec3 offset = light_position[k] - p;

@@ -7,7 +7,8 @@
 namespace scanlit::bench {
 
 bool PictureDifference::same() const {
-  return mean <= .5 && share_above_two <= .001 && double(coverage_differs) <= 1e-4 * double(pixels);
+  return mean <= .5 && share_above_two <= .001 &&
+         double(coverage_differs) <= 1e-4 * double(covered[0]);
 }
 
 std::string PictureDifference::words() const {
@@ -19,8 +20,7 @@ std::string PictureDifference::words() const {
 }
 
 void PictureDifference::take_worse(const PictureDifference& other) {
-  if (pixels == 0) std::copy_n(other.covered, 2, covered);
-  pixels = other.pixels;
+  if (covered[0] == 0) std::copy_n(other.covered, 2, covered);
   coverage_differs = std::max(coverage_differs, other.coverage_differs);
   max = std::max(max, other.max);
   mean = std::max(mean, other.mean);
@@ -29,7 +29,6 @@ void PictureDifference::take_worse(const PictureDifference& other) {
 
 PictureDifference compare(const Picture& a, const Picture& b) {
   PictureDifference result;
-  result.pixels = std::int64_t(a.size() / 4);
   std::int64_t both = 0, above_two = 0, sum = 0;
   for (std::size_t i = 0; i < a.size(); i += 4) {
     const bool in_a = a[i + 3] > 0, in_b = b[i + 3] > 0;

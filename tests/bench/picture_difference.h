@@ -20,14 +20,12 @@ struct PictureDifference {
   double share_above_two = 0;  // of the pixels, those with a channel that differs by more than 2
 
   /// A mean of at most half a step, at most 2 steps on 99.9 % of the covered pixels, and equal
-  /// coverage but for .01 % of the picture's pixels: what separates two ways to round, and no more.
+  /// coverage but for .01 % of them: what separates two ways to round, and no more.
   bool same() const;
   /// What is beyond that, in words.
   std::string words() const;
 
   void take_worse(const PictureDifference& other);
-
-  std::int64_t pixels = 0;
 };
 
 /// Pictures of equal size.

@@ -3,9 +3,12 @@
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <fstream>
 #include <vector>
 
 #include "rasterizer/batch.h"
+#include "rasterizer/image/output_file.h"
 
 namespace scanlit::bench {
 
@@ -47,6 +50,19 @@ Figures run(int argc, char** argv) {
 std::string vector_level() {
   const char* name = HWY_TARGET == HWY_SSE4 ? "SSE4" : HWY_TARGET == HWY_AVX2 ? "AVX2" : "AVX-512";
   return std::string(name) + ", " + std::to_string(Batch::lanes) + " lanes";
+}
+
+std::string machine() {
+  std::ifstream processors("/proc/cpuinfo");
+  for (std::string line; std::getline(processors, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown processor";
+}
+
+void write_file(const std::string& file, const std::string& text) {
+  OutputFile output(file);
+  std::fwrite(text.data(), 1, text.size(), output.stream());
+  output.commit();
 }
 
 }  // namespace scanlit::bench

@@ -17,4 +17,10 @@ Figures run(int argc, char** argv);
 /// "AVX-512, 16 lanes": what this program was compiled for.
 std::string vector_level();
 
+/// The processor's name.
+std::string machine();
+
+/// Throws Error naming the file.
+void write_file(const std::string& file, const std::string& text);
+
 }  // namespace scanlit::bench

@@ -12,11 +12,18 @@ namespace scanlit::bench {
 /// framebuffer's pixels, 4 bytes each.
 void to_rgba8(const Framebuffer& framebuffer, int threads, std::uint8_t* rgba);
 
+/// The scene in frame 0.
+Scene scanlit_scene(const BenchScene& scene);
+Camera scanlit_camera(const BenchScene& scene);
+/// Moves them to another frame.
+void pose(const BenchScene& scene, int frame, Scene& posed, Camera& camera);
+
 class ScanlitSide {
  public:
   explicit ScanlitSide(int threads);
 
-  void prepare(const BenchScene& scene);
+  /// `reuse`: what has not changed since the last frame stands.
+  void prepare(const BenchScene& scene, bool reuse = false);
   /// Returns when the pixels are in picture().
   void draw(const BenchScene& scene, int frame);
 
@@ -29,6 +36,7 @@ class ScanlitSide {
  private:
   Renderer renderer_;
   RenderSettings settings_;
+  Renderer renderer_;
   Scene scene_;
   Camera camera_;
   Framebuffer framebuffer_{picture_width, picture_height};

@@ -6,15 +6,16 @@
 // both renderers, as it does in a program that has been drawing for a while.
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <iostream>
 
+#include "bench_room.h"
 #include "child_process.h"
 #include "comparison.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image/output_file.h"
+#include "report.h"
 #include "versus_report.h"
 
 namespace scanlit::bench {
@@ -29,40 +30,59 @@ struct Options {
 
 /// Prints a line of JSON for every scene.
 void measure(const Options& options) {
-  ScanlitSide scanlit(options.child_threads);
-  OsmesaPeer peer;
-  const Effort effort = options.quick ? Effort{1, 5, 30} : Effort{8, 9, 150};
+  Comparison comparison(options.child_threads,
+                        options.quick ? Effort{1, 5, 30} : Effort{8, 9, 150});
   for (const std::string& name : options.scenes)
-    std::cout << nlohmann::json(compare_scene(make_bench_scene(name), options.child_threads, effort,
-                                              scanlit, peer))
-              << std::endl;
+    std::cout << nlohmann::json(comparison.run(make_bench_scene(name))) << std::endl;
 }
 
 /// Milliseconds from the start of a program that draws one picture to that picture, the least of
 /// several.
 double first_frame_ms(const char* program, const std::vector<std::string>& settings) {
   const auto file = std::filesystem::path(this_program()).parent_path() / program;
-  double least = 1e30;
+  double shortest = 1e30;
   for (int i = 0; i < 7; ++i) {
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     run_process({file.string()}, settings, [&](const std::string& line) {
       if (line != "drawn\n") throw Error(program, "drew nothing");
-      const std::chrono::duration<double, std::milli> ms = std::chrono::steady_clock::now() - start;
-      least = std::min(least, ms.count());
+      shortest = std::min(shortest, ms_since(start));
     });
   }
-  return least;
+  return shortest;
 }
 
-void compare_first_frames() {
-  std::printf("\nfirst frame, program start to pixels (S2), best of 7: Scanlit %.0f ms, ",
-              first_frame_ms("first_frame_scanlit", {}));
-  const std::vector<std::string> settings = {"LP_NATIVE_VECTOR_WIDTH=256", "LP_NUM_THREADS=2"};
-  std::printf("llvmpipe %.0f ms,\n", first_frame_ms("first_frame_llvmpipe", settings));
-  auto without_cache = settings;
-  without_cache.emplace_back("MESA_SHADER_CACHE_DISABLE=true");
-  std::printf("  without shaders that an earlier run has compiled %.0f ms\n",
-              first_frame_ms("first_frame_llvmpipe", without_cache));
+FirstFrames compare_first_frames() {
+  std::vector<std::string> settings = {"LP_NATIVE_VECTOR_WIDTH=256", "LP_NUM_THREADS=2"};
+  FirstFrames result{.scanlit_ms = first_frame_ms("first_frame_scanlit", {}),
+                     .cached_ms = first_frame_ms("first_frame_llvmpipe", settings)};
+  settings.emplace_back("MESA_SHADER_CACHE_DISABLE=true");
+  result.compiling_ms = first_frame_ms("first_frame_llvmpipe", settings);
+  std::printf(
+      "\nfirst frame, program start to pixels (S2), best of 7: Scanlit %.0f ms, llvmpipe %.0f ms\n"
+      "  (%.0f ms with the shaders that an earlier run has compiled)\n",
+      result.scanlit_ms, result.compiling_ms, result.cached_ms);
+  return result;
+}
+
+void print_census() {
+  const Census census = count_teapots(make_bench_scene("S9"));
+  std::printf("S9: of %d teapots %d are visible, %d hidden, %d outside the view\n", teapot_count,
+              census.visible, census.hidden, census.outside);
+}
+
+/// The list of scenes; S2's on two threads tells of the first frame besides.
+void write_json(const std::string& file, const std::vector<SceneResult>& results,
+                const FirstFrames& first) {
+  nlohmann::json all = results;
+  for (nlohmann::json& one : all) {
+    one["machine"] = machine();
+    one["vectors"] = vector_level();
+    if (one["scene"] == "S2" && one["threads"] == 2)
+      one["first_frame_ms"] = {{"scanlit", first.scanlit_ms},
+                               {"llvmpipe_compiling", first.compiling_ms},
+                               {"llvmpipe_cached", first.cached_ms}};
+  }
+  write_file(file, all.dump(2) + "\n");
 }
 
 std::vector<SceneResult> compare_on(int threads, const Options& options) {
@@ -95,9 +115,12 @@ void run(const Options& options) {
     results.insert(results.end(), part.begin(), part.end());
   }
   print_stages(results);
-  compare_first_frames();
-  if (!options.json.empty()) write_file(options.json, nlohmann::json(results).dump(2) + "\n");
-  if (!options.html.empty()) write_file(options.html, report_page(results));
+  if (std::ranges::count(options.scenes, "S9")) print_census();
+  const FirstFrames first_frames = compare_first_frames();
+  const std::vector<TargetResult> reached = targets(results, first_frames);
+  print_targets(reached);
+  if (!options.json.empty()) write_json(options.json, results, first_frames);
+  if (!options.html.empty()) write_file(options.html, report_page(results, reached));
 }
 
 Options parse(int argc, char** argv) {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <map>
 
+#include "report.h"
 #include "versus_report.h"
 
 namespace scanlit::bench {
@@ -61,9 +62,21 @@ std::string table(const std::vector<SceneResult>& results) {
   return html + "</table>\n";
 }
 
+std::string target_table(const std::vector<TargetResult>& reached) {
+  std::string html =
+      "<h2>Targets, two threads</h2>\n"
+      "<table><tr><th>what<th>wanted<th>medians<th>least times<th><th>worst</tr>\n";
+  for (const TargetResult& t : reached)
+    html += format("<tr><td>%s<td>%s %.1f<td>%.2f<td>%.2f<td>%s<td>%s</tr>\n", t.what.c_str(),
+                   t.at_least ? "at least" : "at most", t.wanted, t.by_median, t.by_least,
+                   t.met() ? "met" : "not met", t.worst.c_str());
+  return html + "</table>\n";
+}
+
 }  // namespace
 
-std::string report_page(const std::vector<SceneResult>& results) {
+std::string report_page(const std::vector<SceneResult>& results,
+                        const std::vector<TargetResult>& reached) {
   std::map<int, std::vector<SceneResult>> by_threads;
   for (const SceneResult& result : results) by_threads[result.threads].push_back(result);
   std::string html =
@@ -71,11 +84,14 @@ std::string report_page(const std::vector<SceneResult>& results) {
       "<style>body{font:15px sans-serif;margin:2em}td,th{padding:2px 10px;text-align:right}"
       "th{vertical-align:bottom}</style>\n"
       "<h1>Scanlit beside llvmpipe</h1>\n<p>How many times faster a frame of 1920x1080 is: "
-      "llvmpipe's time over Scanlit's, medians.</p>\n";
+      "llvmpipe's time over Scanlit's, medians. " +
+      machine() + "; Scanlit's vectors: " + vector_level() + "; ";
+  if (!results.empty()) html += results.front().peer;
+  html += ".</p>\n";
   for (const auto& [threads, part] : by_threads)
     html += format("<h2>%d thread%s</h2>\n", threads, threads > 1 ? "s" : "") + chart(part) +
             table(part);
-  return html;
+  return html + target_table(reached);
 }
 
 }  // namespace scanlit::bench

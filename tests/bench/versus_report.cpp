@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <limits>
 
-#include "rasterizer/image/output_file.h"
 #include "report.h"
 
 namespace scanlit::bench {
@@ -22,8 +21,6 @@ const std::vector<std::string>& stage_names() {
   return names;
 }
 
-bool draws(const SceneResult& result) { return result.scene != "S0"; }
-
 std::string ratio_text(const SceneResult& result) {
   char text[32] = "differs";
   if (result.same)
@@ -32,13 +29,13 @@ std::string ratio_text(const SceneResult& result) {
   return text;
 }
 
-/// Geometric mean, and least, over the scenes that draw something.
+/// Geometric mean, and least, of S1 to S8P.
 void print_mean(const char* what, const std::vector<SceneResult>& results,
                 double (SceneResult::*ratio)() const) {
   double log_sum = 0, least = std::numeric_limits<double>::infinity();
   int count = 0;
   for (const SceneResult& result : results) {
-    if (!draws(result) || !result.same) continue;
+    if (!counts_for_mean(result) || !result.same) continue;
     log_sum += std::log((result.*ratio)());
     least = std::min(least, (result.*ratio)());
     ++count;
@@ -52,11 +49,11 @@ void print_mean(const char* what, const std::vector<SceneResult>& results,
 
 void print_header() {
   std::printf(
-      "ms per frame, %dx%d, Scanlit's vectors: %s; median (least, processor time)\n"
+      "ms per frame, %dx%d, on %s, Scanlit's vectors: %s; median (least, processor time)\n"
       "%-5s %-7s %-22s %-25s %-25s %7s %6s %6s  %-9s %s\n",
-      picture_width, picture_height, vector_level().c_str(), "scene", "threads", "Scanlit",
-      "llvmpipe to a buffer", "llvmpipe, glReadPixels", "ratio", "least", "by cpu", "max, mean",
-      "covered pixels");
+      picture_width, picture_height, machine().c_str(), vector_level().c_str(), "scene", "threads",
+      "Scanlit", "llvmpipe to a buffer", "llvmpipe, glReadPixels", "ratio", "least", "by cpu",
+      "max, mean", "covered pixels");
 }
 
 void print_row(const SceneResult& result) {
@@ -73,6 +70,13 @@ void print_row(const SceneResult& result) {
               result.mean_difference, static_cast<long long>(result.covered[0]),
               static_cast<long long>(result.covered[1]));
   if (!result.same) std::printf("      pictures differ: %s\n", result.difference.c_str());
+  if (result.yardstick && result.scene == "S0")
+    std::printf("      one memset of the colour buffer: %.2f (%.2f)\n", result.yardstick->median_ms,
+                result.yardstick->min_ms);
+  else if (result.yardstick)
+    std::printf("      Scanlit without reuse: %.2f (%.2f), %.2f times as long\n",
+                result.yardstick->median_ms, result.yardstick->min_ms,
+                result.yardstick->median_ms / result.scanlit.median_ms);
   std::fflush(stdout);
 }
 
@@ -95,10 +99,13 @@ void print_stages(const std::vector<SceneResult>& results) {
   }
 }
 
-void write_file(const std::string& file, const std::string& text) {
-  OutputFile output(file);
-  std::fwrite(text.data(), 1, text.size(), output.stream());
-  output.commit();
+void print_targets(const std::vector<TargetResult>& results) {
+  std::printf("\n%-32s %8s %9s %9s\n", "targets, two threads", "wanted", "medians", "least");
+  for (const TargetResult& target : results)
+    std::printf("%-32s %s %5.1f %9.2f %9.2f  %s%s\n", target.what.c_str(),
+                target.at_least ? ">=" : "<=", target.wanted, target.by_median, target.by_least,
+                target.met() ? "met" : "not met",
+                target.worst.empty() ? "" : (", worst " + target.worst).c_str());
 }
 
 }  // namespace scanlit::bench

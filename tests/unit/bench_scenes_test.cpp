@@ -8,6 +8,7 @@
 #include <glm/trigonometric.hpp>
 #include <map>
 
+#include "tests/bench/bench_room.h"
 #include "tests/bench/picture_difference.h"
 
 namespace scanlit::bench {
@@ -19,14 +20,16 @@ TEST(BenchScenes, HaveTheirTriangles) {
       {"S4", 1'000'000}, {"S5F", 128'000}, {"S5B", 128'000}, {"S5M", 128'000},
       {"S6", 2000},      {"S8G", 100'000}, {"S8P", 100'000}};
   for (const auto& [name, triangles] : drawn) {
-    const BenchScene scene = make_bench_scene(name);
-    EXPECT_EQ(scene.placements.size() * scene.mesh->triangle_count(), triangles) << name;
+    std::size_t sum = 0;
+    for (const Placement& placement : make_bench_scene(name).placements)
+      sum += placement.mesh->triangle_count();
+    EXPECT_EQ(sum, triangles) << name;
   }
 }
 
 TEST(BenchScenes, FrontFacesLookOutwards) {
-  for (const char* name : {"S2", "S8P"}) {
-    const auto mesh = make_bench_scene(name).mesh;
+  for (const char* name : {"S2", "S8P", "S9"}) {  // S9's first draw is a box
+    const auto mesh = make_bench_scene(name).placements[0].mesh;
     for (std::size_t i = 0; i < mesh->indices.size(); i += 3) {
       const auto corner = [&](std::size_t k) { return mesh->positions[mesh->indices[i + k]]; };
       const glm::vec3 face = glm::cross(corner(1) - corner(0), corner(2) - corner(0));
@@ -42,7 +45,7 @@ TEST(BenchScenes, NestedSpheresHideEachOther) {
     const Placement& sphere = front_to_back.placements[i];
     EXPECT_EQ(sphere.scale, back_to_front.placements[63 - i].scale);
     // The angle of the silhouette seen from the eye, as a share of half the field of view.
-    const double sine = sphere.scale / glm::length(sphere.centre);
+    const double sine = sphere.scale.x / glm::length(sphere.centre);
     const double height = sine / std::sqrt(1 - sine * sine) / std::tan(glm::radians(fov_deg / 2));
     EXPECT_NEAR(height, .95, .001);
   }
@@ -56,9 +59,55 @@ TEST(BenchScenes, TurnAHundredthRadianAFrame) {
       const glm::vec4 x(1, 0, 0, 0);
       const auto a = world_from_object(scene, placement, frame) * x;
       const auto b = world_from_object(scene, placement, frame + 1) * x;
-      EXPECT_NEAR(glm::distance(a, b) / placement.scale, .01, 1e-5) << name << " " << frame;
+      EXPECT_NEAR(glm::distance(a, b) / placement.scale.x, .01, 1e-5) << name << " " << frame;
     }
   }
+}
+
+TEST(BenchScenes, TeapotsStandFreely) {
+  const BenchScene scene = make_bench_scene("S9");
+  const std::size_t boxes = scene.placements.size() - teapot_count;
+  ASSERT_EQ(boxes, 2 + 4 + 8 + 64);
+  for (std::size_t i = boxes; i < scene.placements.size(); ++i) {
+    const Placement& teapot = scene.placements[i];
+    const auto apart = [&](const Placement& other, const glm::dvec3& half_size) {
+      const glm::dvec3 offset = glm::abs(teapot.centre - other.centre) - half_size;
+      return glm::length(glm::max(glm::dvec2(offset.x, offset.z), glm::dvec2(0)));
+    };
+    for (std::size_t k = 2; k < boxes; ++k)  // after floor and ceiling
+      ASSERT_GT(apart(scene.placements[k], scene.placements[k].scale / 2.0), teapot.scale.x);
+    for (std::size_t k = boxes; k < i; ++k)
+      ASSERT_GT(apart(scene.placements[k], glm::dvec3(0)),
+                teapot.scale.x + scene.placements[k].scale.x);
+  }
+}
+
+/// What is not at its place of frame 0 in frame 7.
+struct Moved {
+  std::size_t draws = 0;
+  bool camera = false, light = false;
+};
+Moved moved(const BenchScene& scene) {
+  Moved result;
+  for (const Placement& placement : scene.placements)
+    result.draws +=
+        world_from_object(scene, placement, 7) != world_from_object(scene, placement, 0);
+  result.camera = viewing_direction(scene, 7) != viewing_direction(scene, 0);
+  result.light = to_light(scene, 7) != to_light(scene, 0);
+  return result;
+}
+
+TEST(BenchScenes, OfTheRoomMovesWhatIsSaid) {
+  const auto expect = [](const char* name, std::size_t draws, bool camera, bool light) {
+    const Moved m = moved(make_bench_scene(name));
+    EXPECT_EQ(m.draws, draws) << name;
+    EXPECT_EQ(m.camera, camera) << name;
+    EXPECT_EQ(m.light, light) << name;
+  };
+  expect("S9", teapot_count, true, false);
+  expect("S10L", 0, false, true);
+  expect("S10M", 1, false, false);
+  expect("S10N", 0, false, false);
 }
 
 Picture grey(int count, std::uint8_t value) {
