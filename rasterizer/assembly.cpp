@@ -254,8 +254,8 @@ TileGrid make_tile_grid(const Viewport& viewport, int samples) {
   // Depth and id of a tile's samples, 8 bytes each, should fill about half of a 1 MiB second-level
   // cache; whole scanlines where 16 of them fit.
   const auto shift_of = [](int size) { return int(std::bit_width(unsigned(size))) - 1; };
-  const int budget = shift_of(64 * 1024 / samples), min_height = 4, max_height = 5;
-  TileGrid grid{.width_shift = std::min(shift_of(2 * viewport.width - 1), budget - min_height),
+  const int budget = shift_of(64 * 1024 / samples), min_height = 4, max_height = 6;
+  TileGrid grid{.width_shift = std::min({shift_of(2 * viewport.width - 1), budget - min_height, 10}),
                 .height_shift = 0,
                 .columns = 0,
                 .rows = 0,

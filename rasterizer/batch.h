@@ -39,6 +39,12 @@ class Batch {
     friend Mask operator&(Mask a, Mask b) { return {hn::And(a.raw, b.raw)}; }
     friend Mask operator|(Mask a, Mask b) { return {hn::Or(a.raw, b.raw)}; }
     friend bool none(Mask m) { return hn::AllFalse(tag, m.raw); }
+    /// One bit a lane, the first lane's lowest.
+    friend unsigned bits_of(Mask m) {
+      std::uint8_t bytes[8] = {};
+      hn::StoreMaskBits(tag, m.raw, bytes);
+      return unsigned(bytes[0]) | unsigned(bytes[1]) << 8;
+    }
   };
 
   Batch() = default;

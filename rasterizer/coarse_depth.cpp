@@ -1,69 +1,127 @@
 #include "rasterizer/coarse_depth.h"
 
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "rasterizer/batch.h"
 
 namespace scanlit {
 
-void CoarseDepth::reset(const VisibilityTile& tile) {
-  rect_ = tile.touched;
-  columns_ = (rect_.x_end - rect_.x_begin + block_width - 1) / block_width;
-  const int rows = (rect_.y_end - rect_.y_begin + block_height - 1) / block_height;
-  full_ = block_width * block_height;
-  blocks_.assign(std::size_t(columns_) * std::size_t(rows), {});
+namespace {
+
+/// The greatest depth that a triangle's fragments have in blocks of pixels.
+class GreatestDepth {
+ public:
+  /// In the blocks of `width` x `height` pixels to the right of and below pixel (x, y).
+  GreatestDepth(const DrawnTriangle& t, int x, int y, int width, int height) {
+    const auto& [a, b, c] = t.vertices;
+    nearest_ = std::max(a.depth, std::max(b.depth, c.depth));
+    const double abx = b.x - a.x, aby = b.y - a.y, acx = c.x - a.x, acy = c.y - a.y;
+    const double to_b = double(b.depth) - a.depth, to_c = double(c.depth) - a.depth;
+    const double scale = subpixel / (abx * acy - aby * acx);
+    const double per_x = (to_b * acy - to_c * aby) * scale,
+                 per_y = (to_c * abx - to_b * acx) * scale;
+    // Samples are anywhere in their pixels. Fragments' depths are rounded three times to float
+    // (DepthPlane), as the sum in at() is here: each time by less than 2^-23 of the greatest.
+    const double corner = a.depth + per_x * (x - a.x / double(subpixel)) +
+                          per_y * (y - a.y / double(subpixel)) + std::max(per_x * width, 0.0) +
+                          std::max(per_y * height, 0.0);
+    first_ = float(corner);
+    per_column_ = float(per_x * width);
+    per_row_ = float(per_y * height);
+    margin_ = 0x1p-20f * nearest_;
+  }
+
+  /// In `lanes` blocks from column `column` on.
+  Batch at(int column, int row) const {
+    const Batch corner = Batch(first_ + per_row_ * float(row)) +
+                         Batch(per_column_) * Batch::iota(float(column)) + Batch(margin_);
+    return min(corner, Batch(nearest_));
+  }
+
+ private:
+  float first_, per_column_, per_row_, nearest_, margin_;
+};
+
+float least_depth(const Rect& pixels, const VisibilityTile& tile) {
+  const float infinite = 1e30f;
+  Batch least(infinite);
+  for (int sample = 0; sample < tile.samples; ++sample)
+    for (int y = pixels.y_begin; y < pixels.y_end; ++y) {
+      const float* row = &tile.depth[tile.row(sample, y)] - tile.rect.x_begin;
+      for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
+        const Batch in_block = select(Batch::iota(float(x)) < Batch(float(pixels.x_end)),
+                                      Batch::load(row + x), infinite);
+        least = min(least, in_block);
+      }
+    }
+  return hn::GetLane(hn::MinOfLanes(Batch::tag, least.raw));
 }
 
-template <class Use>
-bool CoarseDepth::all_blocks(const Rect& pixels, const Use& use) {
+}  // namespace
+
+void CoarseDepth::reset(const VisibilityTile& tile) {
+  rect_ = tile.touched;
+  const int columns = (rect_.x_end - rect_.x_begin + block_width - 1) / block_width;
+  const int rows = (rect_.y_end - rect_.y_begin + block_height - 1) / block_height;
+  stride_ = columns + Batch::lanes;
+  least_.assign(std::size_t(stride_ * rows), 0.0f);
+  written_.assign(std::size_t(stride_ * rows), 0);
+}
+
+Rect CoarseDepth::block(int column, int row) const {
+  const int x = rect_.x_begin + column * block_width, y = rect_.y_begin + row * block_height;
+  return {x, y, std::min(x + block_width, rect_.x_end), std::min(y + block_height, rect_.y_end)};
+}
+
+bool CoarseDepth::refresh(int column, int row, float depth, const VisibilityTile& tile) {
+  const auto i = std::size_t(row * stride_ + column);
+  // Before it is written that often there may be holes in it, or what was there stands.
+  if (written_[i] < block_width * block_height) return true;
+  least_[i] = least_depth(block(column, row), tile);
+  // Where there are holes there may be for long, as at an outline.
+  written_[i] = least_[i] > 0 ? 0 : -8 * block_width * block_height;
+  return depth >= least_[i];
+}
+
+bool CoarseDepth::visible(const DrawnTriangle& triangle, const Rect& pixels,
+                          const VisibilityTile& tile, VisibleColumns& columns) {
   const int first_row = (pixels.y_begin - rect_.y_begin) / block_height;
   const int last_row = (pixels.y_end - 1 - rect_.y_begin) / block_height;
   const int first_column = (pixels.x_begin - rect_.x_begin) / block_width;
   const int last_column = (pixels.x_end - 1 - rect_.x_begin) / block_width;
-  for (int row = first_row; row <= last_row; ++row)
-    for (int column = first_column; column <= last_column; ++column)
-      if (!use(blocks_[std::size_t(row) * std::size_t(columns_) + std::size_t(column)], row,
-               column))
-        return false;
-  return true;
-}
-
-bool CoarseDepth::hides(const Rect& pixels, float nearest, const VisibilityTile& tile) {
-  return all_blocks(pixels, [&](Block& block, int row, int column) {
-    if (nearest < block.least) return true;
-    if (block.pixels_written < full_) return false;
-    const int x = rect_.x_begin + column * block_width, y = rect_.y_begin + row * block_height;
-    block.least = least_depth(
-        {x, y, std::min(x + block_width, rect_.x_end), std::min(y + block_height, rect_.y_end)},
-        tile);
-    block.pixels_written = 0;
-    return nearest < block.least;
-  });
-}
-
-void CoarseDepth::wrote(const Rect& pixels) {
-  all_blocks(pixels, [&](Block& block, int row, int column) {
-    const int x = rect_.x_begin + column * block_width, y = rect_.y_begin + row * block_height;
-    const int width = std::min(pixels.x_end, x + block_width) - std::max(pixels.x_begin, x);
-    const int height = std::min(pixels.y_end, y + block_height) - std::max(pixels.y_begin, y);
-    block.pixels_written += width * height;
-    return true;
-  });
-}
-
-float CoarseDepth::least_depth(const Rect& pixels, const VisibilityTile& tile) {
-  Batch least(1e30f);
-  const Batch columns(float(pixels.x_end - pixels.x_begin));
-  for (int sample = 0; sample < tile.samples; ++sample)
-    for (int y = pixels.y_begin; y < pixels.y_end; ++y) {
-      const float* row =
-          &tile.depth[tile.row(sample, y) + std::size_t(pixels.x_begin - tile.rect.x_begin)];
-      for (int i = 0; i < block_width; i += Batch::lanes) {
-        const Batch depth = select(Batch::iota(float(i)) < columns, Batch::load(row + i), 1e30f);
-        least = min(least, depth);
+  const GreatestDepth greatest(triangle, rect_.x_begin, rect_.y_begin, block_width, block_height);
+  bool any = false;
+  columns.y_begin = rect_.y_begin;
+  for (int row = first_row; row <= last_row; ++row) {
+    int begin = last_column + 1, end = first_column;
+    for (int column = first_column; column <= last_column; column += Batch::lanes) {
+      const Batch depth = greatest.at(column, row);
+      const Batch least = Batch::load(&least_[std::size_t(row * stride_ + column)]);
+      unsigned seen = bits_of(depth >= least);
+      if (last_column - column + 1 < Batch::lanes) seen &= (1u << (last_column - column + 1)) - 1;
+      if (seen == 0) continue;
+      float depths[max_lanes];
+      depth.store(depths);
+      for (; seen != 0; seen &= seen - 1) {
+        const int lane = std::countr_zero(seen), at = column + lane;
+        if (!refresh(at, row, depths[lane], tile)) continue;
+        begin = std::min(begin, at), end = at + 1;
       }
     }
-  return hn::GetLane(hn::MinOfLanes(Batch::tag, least.raw));
+    for (int column = begin; column < end; ++column)
+      written_[std::size_t(row * stride_ + column)] +=
+          area(intersection(block(column, row), pixels));
+    if (begin < end) {
+      const Rect seen = block(begin, row);
+      if (!any) columns.first_row = seen.y_begin;
+      columns.end_row = seen.y_end;
+      any = true;
+    }
+    columns.ranges[row] = {rect_.x_begin + begin * block_width, rect_.x_begin + end * block_width};
+  }
+  return any;
 }
 
 }  // namespace scanlit

@@ -6,6 +6,20 @@
 
 namespace scanlit {
 
+/// Where in a tile a triangle may be seen: pixel columns [begin, end) for each row of blocks.
+struct VisibleColumns {
+  static constexpr int block_height = 8, max_block_rows = 8;
+
+  struct Range {
+    int begin, end;
+  };
+  int y_begin = 0;         // of the first row of blocks
+  int first_row, end_row;  // outside of which no range holds anything
+  Range ranges[max_block_rows];
+
+  const Range& at_row(int y) const { return ranges[(y - y_begin) / block_height]; }
+};
+
 /// For each block of pixels the least depth in it, or less: what stands there may be out of date,
 /// because depth only grows, and is brought up to date where that may help.
 class CoarseDepth {
@@ -13,29 +27,22 @@ class CoarseDepth {
   /// Nothing is covered: of tile.touched alone.
   void reset(const VisibilityTile& tile);
 
-  /// Whether everything in `pixels` is nearer than `nearest` at each sample.
-  bool hides(const Rect& pixels, float nearest, const VisibilityTile& tile);
-
-  /// A triangle with these pixels in its box was drawn.
-  void wrote(const Rect& pixels);
+  /// Finds the columns where the triangle, whose box is within `pixels`, may be nearer than what is
+  /// there, and takes for granted that it is about to be drawn in them. False if there are none.
+  bool visible(const DrawnTriangle& triangle, const Rect& pixels, const VisibilityTile& tile,
+               VisibleColumns& columns);
 
  private:
-  static constexpr int block_width = 16, block_height = 8;
+  static constexpr int block_width = 16, block_height = VisibleColumns::block_height;
 
-  struct Block {
-    float least = 0;
-    int pixels_written = 0;  // at most, since `least` was found
-  };
-
-  /// Calls use(block, its pixels) for every block that meets `pixels`, until it returns false.
-  template <class Use>
-  bool all_blocks(const Rect& pixels, const Use& use);
-
-  static float least_depth(const Rect& pixels, const VisibilityTile& tile);
+  Rect block(int column, int row) const;
+  /// True if it may be seen in the block even now that its least depth is known.
+  bool refresh(int column, int row, float depth, const VisibilityTile& tile);
 
   Rect rect_{};
-  int columns_ = 0, full_ = 0;  // full_: as many writes may have filled a block
-  std::vector<Block> blocks_;
+  int stride_ = 0;            // blocks in a row, and more: vectors are loaded whole
+  std::vector<float> least_;  // depth in each block
+  std::vector<int> written_;  // pixels since then, at most
 };
 
 }  // namespace scanlit

@@ -40,6 +40,7 @@
 //    same to the bit on every processor. Only shading may differ, by rounding.
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
@@ -161,7 +162,21 @@ struct Rect {
   int x_begin, y_begin, x_end, y_end;
 
   bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
+  friend bool operator==(const Rect&, const Rect&) = default;
 };
+
+inline Rect intersection(const Rect& a, const Rect& b) {
+  return {std::max(a.x_begin, b.x_begin), std::max(a.y_begin, b.y_begin),
+          std::min(a.x_end, b.x_end), std::min(a.y_end, b.y_end)};
+}
+inline Rect united(const Rect& a, const Rect& b) {
+  return {std::min(a.x_begin, b.x_begin), std::min(a.y_begin, b.y_begin),
+          std::max(a.x_end, b.x_end), std::max(a.y_end, b.y_end)};
+}
+/// Of a rectangle that is not empty, in pixels.
+inline std::int64_t area(const Rect& r) {
+  return std::int64_t(r.x_end - r.x_begin) * (r.y_end - r.y_begin);
+}
 
 /// The picture cut into tiles: bands of scanlines where a whole band stays in the cache, pieces of
 /// them where width or samples are too many for that. Sides are powers of two, so that finding a
@@ -297,8 +312,9 @@ struct SampleOffset {
 /// whose grid of 1/16 pixel snaps exactly.
 std::span<const SampleOffset> sample_offsets(int samples);
 
-/// Scan-converts one of the tile's triangles.
-void scan_convert(TriangleId id, VisibilityTile& visibility);
+/// Scan-converts one of the tile's triangles, at least in the columns where it may be seen.
+struct VisibleColumns;
+void scan_convert(TriangleId id, VisibilityTile& visibility, const VisibleColumns* columns);
 
 // ---------------------------------------------------------------------------- (8), (9) fragments
 

@@ -3,6 +3,7 @@
 #include <bit>
 
 #include "rasterizer/batch.h"
+#include "rasterizer/coarse_depth.h"
 #include "rasterizer/scalar_math.h"
 
 namespace scanlit {
@@ -12,13 +13,6 @@ namespace {
 constexpr int lanes = Batch::lanes;
 using Ints = hn::RebindToSigned<Batch::Tag>;
 constexpr Ints ints;
-
-/// One bit a lane, the first lane's lowest.
-unsigned bits_of(Batch::Mask mask) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(Batch::tag, mask.raw, bytes);
-  return unsigned(bytes[0]) | unsigned(bytes[1]) << 8;
-}
 
 /// A triangle of a tile.
 struct Drawn {
@@ -80,6 +74,7 @@ struct Target {
   float* depth;
   TriangleId* triangle;
   int stride;
+  const VisibleColumns* columns;  // outside of which nothing need be drawn; or null
 
   std::ptrdiff_t offset(int x, int y) const {
     return std::ptrdiff_t(y - rect.y_begin) * stride + (x - rect.x_begin);
@@ -90,12 +85,21 @@ struct Target {
 void draw_spans(const ScreenTriangle& triangle, const Drawn& drawn, const Target& target) {
   const DepthPlane plane(triangle);
   const RowWriter writer(plane, drawn);
-  for_each_span(triangle, target.rect.y_begin, target.rect.y_end, [&](int y, int begin, int end) {
+  Rect rows = target.rect;
+  if (target.columns) {
+    rows.y_begin = std::max(rows.y_begin, target.columns->first_row);
+    rows.y_end = std::min(rows.y_end, target.columns->end_row);
+  }
+  for_each_span(triangle, rows.y_begin, rows.y_end, [&](int y, int begin, int end) {
+    int first = std::max(begin, target.rect.x_begin), last = std::min(end, target.rect.x_end);
+    if (target.columns) {
+      const auto& range = target.columns->at_row(y);
+      first = std::max(first, range.begin), last = std::min(last, range.end);
+    }
+    if (first >= last) return;
     // Anchored at the span's own first pixel, also where that is left of the tile: depth does not
     // depend on how the picture is cut into tiles.
     const float anchor = plane.at(begin, y);
-    const int first = std::max(begin, target.rect.x_begin);
-    const int last = std::min(end, target.rect.x_end);
     for (int x = first; x < last; x += lanes) {
       const Batch steps = Batch::iota(float(x - begin));
       const auto at = target.offset(x, y);
@@ -264,7 +268,7 @@ std::span<const SampleOffset> sample_offsets(int samples) {
   }
 }
 
-void scan_convert(TriangleId id, VisibilityTile& visibility) {
+void scan_convert(TriangleId id, VisibilityTile& visibility, const VisibleColumns* columns) {
   const DrawnTriangle& record = *visibility.triangles[id];
   const auto offsets = sample_offsets(visibility.samples);
   const auto& v = record.vertices;
@@ -276,7 +280,7 @@ void scan_convert(TriangleId id, VisibilityTile& visibility) {
     const std::size_t row = visibility.row(int(s), visibility.rect.y_begin);
     draw(triangle, {visibility.triangles, id},
          {visibility.rect, visibility.depth.data() + row, visibility.triangle.data() + row,
-          visibility.stride});
+          visibility.stride, columns});
     for (ScreenVertex& vertex : triangle.vertices)
       vertex.x += offsets[s].x, vertex.y += offsets[s].y;
   }

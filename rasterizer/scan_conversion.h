@@ -121,17 +121,47 @@ class DepthPlane {
     const std::int64_t y = std::int64_t(row) * subpixel + half_pixel;
     const double weight_b = double(edge_function(c_, a_, x, y));
     const double weight_c = double(edge_function(a_, b_, x, y));
-    return float(double(a_.depth) + (weight_b * to_b_ + weight_c * to_c_) * inverse_area_);
+    return depth(weight_b, weight_c);
   }
   /// Change from one pixel to the next in a row.
   float per_pixel() const {
     const double weight_b = double(a_.y - c_.y), weight_c = double(b_.y - a_.y);
     return float((weight_b * to_b_ + weight_c * to_c_) * inverse_area_ * subpixel);
   }
+
+  /// Follows the plane down the rows: at() of row after row, exact in whole numbers like it.
+  class Rows {
+   public:
+    Rows(const DepthPlane& plane, int row) : plane_(plane) {
+      const std::int64_t y = std::int64_t(row) * subpixel + half_pixel;
+      weight_b_ = double(edge_function(plane.c_, plane.a_, half_pixel, y));
+      weight_c_ = double(edge_function(plane.a_, plane.b_, half_pixel, y));
+      b_per_column_ = double(plane.a_.y - plane.c_.y) * subpixel;
+      c_per_column_ = double(plane.b_.y - plane.a_.y) * subpixel;
+    }
+    float at(int column) const {
+      const double weight_b = weight_b_ + double(column) * b_per_column_;
+      const double weight_c = weight_c_ + double(column) * c_per_column_;
+      return plane_.depth(weight_b, weight_c);
+    }
+    void next() {
+      weight_b_ -= double(plane_.a_.x - plane_.c_.x) * subpixel;
+      weight_c_ -= double(plane_.b_.x - plane_.a_.x) * subpixel;
+    }
+
+   private:
+    const DepthPlane& plane_;
+    double weight_b_, weight_c_, b_per_column_, c_per_column_;
+  };
+
   float min() const { return std::min(a_.depth, std::min(b_.depth, c_.depth)); }
   float max() const { return std::max(a_.depth, std::max(b_.depth, c_.depth)); }
 
  private:
+  float depth(double weight_b, double weight_c) const {
+    return float(double(a_.depth) + (weight_b * to_b_ + weight_c * to_c_) * inverse_area_);
+  }
+
   const ScreenVertex &a_, &b_, &c_;
   double inverse_area_, to_b_, to_c_;
 };

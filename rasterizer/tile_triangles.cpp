@@ -34,9 +34,7 @@ void TileTriangles::gather(const Frame& frame, int tile, VisibilityTile& visibil
   visibility.reset(rect, touched, samples);
 
   // Where the boxes cover each pixel about twice, neighbours' boxes overlap and little is hidden.
-  const auto area =
-      std::int64_t(touched.x_end - touched.x_begin) * (touched.y_end - touched.y_begin);
-  deep_ = skips.hidden_triangles && pixels > 4 * area;
+  deep_ = skips.hidden_triangles && pixels > 4 * area(touched);
   if (deep_) {
     coarse_.reset(visibility);
     sort_nearest_first();
@@ -60,14 +58,12 @@ void TileTriangles::sort_nearest_first() {
   entries_.swap(sorted_);
 }
 
-bool TileTriangles::hidden(TriangleId id, const VisibilityTile& visibility) {
-  const Entry& entry = entries_[id];
-  const auto& v = entry.triangle->vertices;
+bool TileTriangles::visible(const DrawnTriangle& triangle, const VisibilityTile& visibility,
+                            VisibleColumns& columns) {
+  const auto& v = triangle.vertices;
   const Rect pixels = intersection(
       pixel_bounds(screen_triangle(v[0], v[1], v[2]), visibility.samples), visibility.touched);
-  if (pixels.empty() || coarse_.hides(pixels, entry.nearest, visibility)) return true;
-  coarse_.wrote(pixels);
-  return false;
+  return !pixels.empty() && coarse_.visible(triangle, pixels, visibility, columns);
 }
 
 }  // namespace scanlit

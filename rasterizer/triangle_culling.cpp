@@ -52,9 +52,7 @@ IntMask at_least(IntVector a, IntVector b) { return hn::Not(hn::Lt(a, b)); }
 
 template <class Use>
 void for_each_lane(IntMask mask, const Use& use) {
-  std::uint8_t bytes[8] = {};
-  hn::StoreMaskBits(ints, mask, bytes);
-  unsigned bits = unsigned(bytes[0]) | unsigned(bytes[1]) << 8;
+  unsigned bits = bits_of(Batch::Mask{hn::RebindMask(Batch::tag, mask)});
   for (; bits != 0; bits &= bits - 1) use(std::countr_zero(bits));
 }
 

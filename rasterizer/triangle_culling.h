@@ -16,16 +16,6 @@ enum class Fate : std::uint8_t { outside, no_pixel, back_facing, drawn };
 /// picture.
 Rect pixel_bounds(const ScreenTriangle& triangle, int samples);
 
-inline Rect intersection(const Rect& a, const Rect& b) {
-  return {std::max(a.x_begin, b.x_begin), std::max(a.y_begin, b.y_begin),
-          std::min(a.x_end, b.x_end), std::min(a.y_end, b.y_end)};
-}
-
-inline Rect united(const Rect& a, const Rect& b) {
-  return {std::min(a.x_begin, b.x_begin), std::min(a.y_begin, b.y_begin),
-          std::max(a.x_end, b.x_end), std::max(a.y_end, b.y_end)};
-}
-
 inline Rect picture_rect(const Viewport& viewport) {
   return {0, 0, viewport.width, viewport.height};
 }

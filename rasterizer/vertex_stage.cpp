@@ -71,26 +71,20 @@ IntVector outcodes(const Homogeneous<Batch>& p, const Viewport& viewport) {
 
 void transform_vertices(const Draw& draw, const Cluster& cluster, const Viewport& viewport,
                         ClusterVertices& out) {
-  static_assert(sizeof(ScreenVertex) == 16, "interleaved as floats");
+  static_assert(sizeof(glm::vec3) == 12 && sizeof(ScreenVertex) == 16, "interleaved as floats");
   constexpr std::size_t lanes = std::size_t(Batch::lanes);
   static_assert(ClusterVertices::capacity % max_lanes == 0);
   const hn::Rebind<std::uint8_t, Batch::Tag> bytes;
   const auto nearest = [](Batch v) { return hn::NearestInt(v.raw); };
   const auto as_floats = [](IntVector v) { return hn::BitCast(Batch::tag, v); };
-  const std::uint32_t* const vertex = &draw.clusters->vertices[cluster.first_vertex];
+  const glm::vec3* const positions = &draw.clusters->positions[cluster.first_vertex];
+  const auto count = hn::Set(Ints(), std::int32_t(cluster.vertex_count));
 
   IntVector any_code = hn::Zero(Ints());
   for (std::size_t i = 0; i < cluster.vertex_count; i += lanes) {
-    float gathered[3][max_lanes];
-    for (std::size_t k = 0; k < lanes; ++k) {
-      // What is beyond the last vertex repeats it: it is outside of nothing that the last is not.
-      const std::size_t v = std::min(i + k, std::size_t(cluster.vertex_count) - 1);
-      const glm::vec3& p = draw.mesh->positions[vertex[v]];
-      gathered[0][k] = p.x, gathered[1][k] = p.y, gathered[2][k] = p.z;
-    }
-    const Homogeneous<Batch> clip_position =
-        to_clip(draw.clip_from_object, Batch::load(gathered[0]), Batch::load(gathered[1]),
-                Batch::load(gathered[2]));
+    Batch px, py, pz;
+    hn::LoadInterleaved3(Batch::tag, &positions[i].x, px.raw, py.raw, pz.raw);
+    const Homogeneous<Batch> clip_position = to_clip(draw.clip_from_object, px, py, pz);
     const Projected<Batch> screen = to_screen(clip_position, viewport);
     const IntVector x = nearest(screen.x), y = nearest(screen.y);
     const IntVector codes = outcodes(clip_position, viewport);
@@ -99,7 +93,8 @@ void transform_vertices(const Draw& draw, const Cluster& cluster, const Viewport
     hn::StoreInterleaved4(as_floats(x), as_floats(y), screen.depth.raw, screen.inv_w.raw,
                           Batch::tag, reinterpret_cast<float*>(out.screen + i));
     hn::StoreU(hn::DemoteTo(bytes, codes), bytes, out.outcodes + i);
-    any_code = hn::Or(any_code, codes);
+    const auto in_cluster = hn::Lt(hn::Iota(Ints(), std::int32_t(i)), count);
+    any_code = hn::Or(any_code, hn::IfThenElseZero(in_cluster, codes));
   }
   out.any_outcode = 0;
   std::int32_t lane_codes[max_lanes];

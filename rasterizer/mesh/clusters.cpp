@@ -194,6 +194,13 @@ MeshClusters make_clusters(const Mesh& mesh) {
     }
     result.vertices.insert(result.vertices.end(), part.vertices.begin(), part.vertices.end());
   }
+  result.positions.resize(vertex_count + MeshClusters::padding);
+  tbb::parallel_for(std::size_t(0), cluster_count, [&](std::size_t i) {
+    const Cluster& cluster = result.clusters[i];
+    for (std::size_t k = 0; k < cluster.vertex_count; ++k)
+      result.positions[cluster.first_vertex + k] =
+          mesh.positions[result.vertices[cluster.first_vertex + k]];
+  });
   result.bounds = bounds_of(result.clusters);
   return result;
 }

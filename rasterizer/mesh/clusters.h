@@ -40,6 +40,9 @@ struct MeshClusters {
   std::vector<Cluster> clusters;
   std::vector<std::uint32_t> triangles;  // triangle of the mesh; cluster after cluster
   std::vector<std::uint32_t> vertices;   // vertex of the mesh; cluster after cluster
+  // Object space, of each element of `vertices`: the vertex stage reads them one after the other,
+  // where those of the mesh would be fetched from all over it. Followed by `padding` zeros.
+  std::vector<glm::vec3> positions;
   // Corner c of the triangle triangles[i] is the vertex vertices[first_vertex + corners[c][i]] of
   // its cluster. Followed by `padding` zeros, so that vectors may be loaded beyond the end.
   std::vector<std::uint8_t> corners[3];

@@ -34,7 +34,6 @@ class ScanlitSide {
   double conversion_seconds() const { return conversion_seconds_; }
 
  private:
-  Renderer renderer_;
   RenderSettings settings_;
   Renderer renderer_;
   Scene scene_;

@@ -83,7 +83,7 @@ inline VisibilityTile scan(const std::vector<ScreenTriangle>& triangles, const R
   tile.reset(rect, rect, samples);
   for (const DrawnTriangle& record : records) tile.triangles.push_back(&record);
   for (TriangleId id = 0; id < TriangleId(records.size()); ++id)
-    if (triangles[id].twice_area != 0) scan_convert(id, tile);
+    if (triangles[id].twice_area != 0) scan_convert(id, tile, nullptr);
   return tile;
 }
 
