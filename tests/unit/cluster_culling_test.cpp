@@ -263,6 +263,19 @@ TEST(ClusterCulling, DropsTheFarSideOfASphere) {
     }
 }
 
+// Where 128 triangles bend too far for a view to show only their backs, clusters are smaller.
+TEST(ClusterCulling, DropsTheFarSideOfACoarseSphere) {
+  const Mesh mesh = make_shape("sphere:22");
+  const MeshClusters clusters = make_clusters(mesh);
+  Counts counts;
+  for (const glm::dvec3& direction : {glm::dvec3(1, 2, 3), {3, 0.1, 0.2}, {0, 1, 0.01}}) {
+    const View view = view_of_sphere(1000, direction);
+    const Draw draw = draw_of(mesh, view.world_from_object, view.camera, view.viewport);
+    EXPECT_TRUE(culled_rightly(clusters, draw, view.viewport, counts));
+  }
+  EXPECT_GT(counts[ClusterView::back_facing], 0.25 * 3 * double(clusters.clusters.size()));
+}
+
 // Triangles of a third of a pixel and less, which snapping to 1/256 pixel turns over near the
 // silhouette, though in exact arithmetic all of their cluster face away.
 TEST(ClusterCulling, KnowsThatSnappingTurnsSmallTrianglesOver) {
