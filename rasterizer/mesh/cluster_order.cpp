@@ -93,19 +93,23 @@ struct Halving {
   std::uint32_t largest_group;
   std::vector<std::uint32_t> ends;
 
-  /// Halves [begin, end) where it is longest, until groups are small enough.
+  /// Halves [begin, end) where it is longest, until groups are small enough; once more where a
+  /// group bends so much that hardly any view shows only its back: on a sphere of 2,000 triangles a
+  /// third of all groups face away then, not an eighth.
   void halve(std::uint32_t begin, std::uint32_t end) {
     const std::uint32_t size = end - begin;
-    const std::uint32_t groups = (size + largest_group - 1) / largest_group;
-    if (groups <= 1) {
-      ends.push_back(end);
-      return;
-    }
     Box centroids(facets[begin].place[0]), normals(facets[begin].place[1]);
     for (std::uint32_t i = begin + 1; i < end; ++i) {
       centroids.add(facets[i].place[0]);
       normals.add(facets[i].place[1]);
     }
+    const bool bent = largest(normals.extent()) > 0.75f;
+    const std::uint32_t enough = bent ? largest_group / 2 : largest_group;
+    if (size <= enough) {
+      ends.push_back(end);
+      return;
+    }
+    const std::uint32_t groups = (size + enough - 1) / enough;
     const glm::vec3 extents[2] = {centroids.extent(), normals.extent() * normal_scale};
     const int kind = largest(extents[1]) > largest(extents[0]);
     const glm::vec3& e = extents[kind];

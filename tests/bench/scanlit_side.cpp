@@ -34,14 +34,7 @@ std::vector<Light> lights(const BenchScene& scene) {
     // Models return pi f_r (n.l), and Cook-Torrance's scene is defined by irradiance 1.
     return {{.intensity = scene.shader == Shader::cook_torrance ? 1 / std::numbers::pi : 1,
              .direction = to_light(scene, 0)}};
-  std::vector<Light> all;
-  for (const PointLight& light : point_lights())
-    all.push_back({.kind = LightKind::point,
-                   .colour = {light.colour.x, light.colour.y, light.colour.z},
-                   .position = light.position,
-                   .constant = 0,
-                   .quadratic = 1});
-  return all;
+  return scanlit_lights(16);
 }
 
 }  // namespace
@@ -73,6 +66,17 @@ void to_rgba8(const Framebuffer& framebuffer, int threads, std::uint8_t* rgba) {
 ScanlitSide::ScanlitSide(int threads) {
   settings_.threads = threads;
   settings_.clamp_vertex_colours = true;
+}
+
+std::vector<Light> scanlit_lights(int count) {
+  std::vector<Light> all;
+  for (const PointLight& light : point_lights(count))
+    all.push_back({.kind = LightKind::point,
+                   .colour = {light.colour.x, light.colour.y, light.colour.z},
+                   .position = light.position,
+                   .constant = 0,
+                   .quadratic = 1});
+  return all;
 }
 
 Scene scanlit_scene(const BenchScene& scene) {
@@ -108,7 +112,7 @@ Camera scanlit_camera(const BenchScene& scene) {
 void pose(const BenchScene& scene, int frame, Scene& posed, Camera& camera) {
   for (std::size_t i = 0; i < scene.placements.size(); ++i)
     posed.objects[i].world_from_object = world_from_object(scene, scene.placements[i], frame);
-  if (scene.shader != Shader::point_lights) posed.lights[0].direction = to_light(scene, frame);
+  if (scene.light_turns) posed.lights[0].direction = to_light(scene, frame);
   camera.target = scene.eye + viewing_direction(scene, frame);
 }
 

@@ -12,6 +12,12 @@ namespace scanlit::bench {
 /// framebuffer's pixels, 4 bytes each.
 void to_rgba8(const Framebuffer& framebuffer, int threads, std::uint8_t* rgba);
 
+/// What a bench's frame is drawn into.
+constexpr Planes picture_planes{};
+
+/// point_lights(count) of the scenes' definition.
+std::vector<Light> scanlit_lights(int count);
+
 /// The scene in frame 0.
 Scene scanlit_scene(const BenchScene& scene);
 Camera scanlit_camera(const BenchScene& scene);
@@ -38,7 +44,7 @@ class ScanlitSide {
   Renderer renderer_;
   Scene scene_;
   Camera camera_;
-  Framebuffer framebuffer_{picture_width, picture_height};
+  Framebuffer framebuffer_{picture_width, picture_height, picture_planes};
   Picture picture_ = Picture(4 * framebuffer_.pixel_count());
   FrameStats stats_;
   double conversion_seconds_ = 0;

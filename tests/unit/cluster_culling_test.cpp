@@ -3,6 +3,7 @@
 #include "rasterizer/cluster_culling.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/geometric.hpp>
 #include <map>
@@ -198,6 +199,37 @@ TEST(ClusterCulling, NeverContradictsATriangle) {
     EXPECT_GT(counts[view], 1000) << int(view);
 }
 
+// Triangles much smaller than a pixel, within a few 1/256 pixel or a few roundings of the sides of
+// the picture, of the guard band, and of near and far.
+TEST(ClusterCulling, KnowsHowVerticesAreRoundedAtTheEdgesOfTheView) {
+  std::mt19937_64 random(20240229);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  const Viewport viewport{640, 640};
+  const Camera camera = eye_at_origin(0.5, 50);
+  Counts counts;
+  for (int i = 0; i < 60000; ++i) {
+    const float w = std::abs(unit(random)) * 40 + 1, inside = unit(random) * 0.9f;
+    const float pixels = std::array{0.01f, 0.1f, 1.0f}[random() % 3] * unit(random);
+    const float edge = std::array{1.0f, viewport.guard_x()}[random() % 2] + pixels / 320;
+    const float rounding = 1 + std::array{1e-7f, 1e-6f, 1e-5f}[random() % 3] * unit(random);
+    const glm::vec3 places[] = {
+        {edge * w, inside * w, -w},           {-edge * w, inside * w, -w},
+        {inside * w, edge * w, -w},           {inside * w, -edge * w, -w},
+        {inside * 0.5f, 0, -0.5f * rounding}, {0, inside * 50, -50 * rounding}};
+    const glm::vec3 place = places[random() % 6];
+    const glm::vec3 origin = std::array{0.0f, 10.0f, 1000.0f}[random() % 3] *
+                             glm::vec3(unit(random), unit(random), unit(random));
+    std::vector<glm::vec3> corners(3, place + origin);
+    for (glm::vec3& corner : corners)
+      corner += 1e-6f * w * glm::vec3(unit(random), unit(random), unit(random));
+    const auto mesh = triangle_soup(corners);
+    const Draw draw = draw_of(*mesh, glm::translate(glm::mat4(1), -origin), camera, viewport);
+    ASSERT_TRUE(culled_rightly(make_clusters(*mesh), draw, viewport, counts));
+  }
+  for (const ClusterView view : {ClusterView::outside, ClusterView::inside, ClusterView::crossing})
+    EXPECT_GT(counts[view], 5000) << int(view);
+}
+
 /// A unit sphere that fills the height of a picture of so many pixels.
 View view_of_sphere(int pixels, const glm::dvec3& direction) {
   View view{.camera = {}, .viewport = {pixels, pixels}, .world_from_object = glm::mat4(1)};
@@ -229,6 +261,19 @@ TEST(ClusterCulling, DropsTheFarSideOfASphere) {
       EXPECT_TRUE(culled_rightly(clusters, both_sides, view.viewport, all));
       EXPECT_EQ(all[ClusterView::inside], int(clusters.clusters.size()));
     }
+}
+
+// Where 128 triangles bend too far for a view to show only their backs, clusters are smaller.
+TEST(ClusterCulling, DropsTheFarSideOfACoarseSphere) {
+  const Mesh mesh = make_shape("sphere:22");
+  const MeshClusters clusters = make_clusters(mesh);
+  Counts counts;
+  for (const glm::dvec3& direction : {glm::dvec3(1, 2, 3), {3, 0.1, 0.2}, {0, 1, 0.01}}) {
+    const View view = view_of_sphere(1000, direction);
+    const Draw draw = draw_of(mesh, view.world_from_object, view.camera, view.viewport);
+    EXPECT_TRUE(culled_rightly(clusters, draw, view.viewport, counts));
+  }
+  EXPECT_GT(counts[ClusterView::back_facing], 0.25 * 3 * double(clusters.clusters.size()));
 }
 
 // Triangles of a third of a pixel and less, which snapping to 1/256 pixel turns over near the
