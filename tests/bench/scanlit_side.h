@@ -8,10 +8,6 @@
 
 namespace scanlit::bench {
 
-/// Linear light, clamped to [0, 1] and rounded to 8 bits, in parallel. rgba has room for the
-/// framebuffer's pixels, 4 bytes each.
-void to_rgba8(const Framebuffer& framebuffer, int threads, std::uint8_t* rgba);
-
 /// The scene in frame 0.
 Scene scanlit_scene(const BenchScene& scene);
 Camera scanlit_camera(const BenchScene& scene);
@@ -27,21 +23,17 @@ class ScanlitSide {
   /// Returns when the pixels are in picture().
   void draw(const BenchScene& scene, int frame);
 
-  const Picture& picture() const { return picture_; }
+  const Picture& picture() const { return framebuffer_.rgba8; }
   /// Of the last frame: its stages, in seconds summed over the threads.
   const FrameStats& stats() const { return stats_; }
-  /// Of the last frame: to_rgba8(), by the clock.
-  double conversion_seconds() const { return conversion_seconds_; }
 
  private:
   RenderSettings settings_;
   Renderer renderer_;
   Scene scene_;
   Camera camera_;
-  Framebuffer framebuffer_{picture_width, picture_height};
-  Picture picture_ = Picture(4 * framebuffer_.pixel_count());
+  Framebuffer framebuffer_{picture_width, picture_height, {.format = ColourFormat::linear_8bit}};
   FrameStats stats_;
-  double conversion_seconds_ = 0;
 };
 
 }  // namespace scanlit::bench
