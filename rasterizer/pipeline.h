@@ -104,6 +104,7 @@ struct Draw {
   glm::mat3 normal_from_object;  // world normal = this * object normal, not yet unit
   bool draw_back_faces;
   bool mirrored;  // the transform reverses orientation
+  Illumination illumination{};
 };
 
 /// A cluster's vertices on the screen, and which planes each is outside of. Element i is the

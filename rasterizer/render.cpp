@@ -86,7 +86,8 @@ void add(const FrameStats& part, FrameStats& sum) {
         &FrameStats::clusters_outside, &FrameStats::clusters_back_facing, &FrameStats::triangles,
         &FrameStats::outside, &FrameStats::back_facing, &FrameStats::no_pixel, &FrameStats::drawn,
         &FrameStats::clipped, &FrameStats::hidden, &FrameStats::fragments,
-        &FrameStats::covered_pixels, &FrameStats::evaluations, &FrameStats::spans})
+        &FrameStats::covered_pixels, &FrameStats::evaluations, &FrameStats::evaluations_skipped,
+        &FrameStats::spans})
     sum.*member += part.*member;
   for (std::size_t i = 0; i < sum.seconds.size(); ++i) sum.seconds[i] += part.seconds[i];
 }
@@ -129,6 +130,7 @@ void Renderer::State::make_draws(Frame& frame, FrameStats& stats) {
   for (const Object& object : frame.scene.objects)
     frame.draws.push_back(
         make_draw(object, view_projection, std::uint32_t(frame.draws.size()), clusters));
+  for (Draw& draw : frame.draws) draw.illumination = illuminate(frame, draw);
   std::uint32_t count = 0;
   for (const Draw& draw : frame.draws) {
     const MeshClusters& all = *draw.clusters;
