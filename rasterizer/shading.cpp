@@ -102,16 +102,14 @@ void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool part
     const std::uint32_t* const site = &sites.corners[3 * chunk.number_of(*run.drawn)];
     const float* corner[3];
     for (int k = 0; k < 3; ++k) corner[k] = &sites.values[site[k] * std::size_t(sites.channels)];
-    const auto channel = [&](int c, float* out) {
+    const auto channels = [&](int c, auto& out) {
       interpolate(span, run, {corner[0] + c, corner[1] + c, corner[2] + c}, 1, out);
     };
-    for (int c = 0; c < 3; ++c) {
-      channel(LitSites::colour + c, lit_.colour[c]);
-      if (!parts) continue;
-      channel(LitSites::ambient + c, lit_.ambient[c]);
-      channel(LitSites::diffuse + c, lit_.diffuse[c]);
-      channel(LitSites::glossy + c, lit_.glossy[c]);
-    }
+    channels(LitSites::colour, lit_.colour);
+    if (!parts) continue;
+    channels(LitSites::ambient, lit_.ambient);
+    channels(LitSites::diffuse, lit_.diffuse);
+    channels(LitSites::glossy, lit_.glossy);
   }
 }
 

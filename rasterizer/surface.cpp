@@ -47,6 +47,15 @@ void fill(float (&out)[components][SurfaceSpan::padded], float value) {
   for (auto& component : out) std::ranges::fill(component, value);
 }
 
+constexpr int ahead = 8;  // runs: about as long as memory takes to answer
+
+void prefetch(const Mesh& mesh, std::uint32_t triangle) {
+  for (const std::size_t v : Corners(mesh, triangle).vertex) {
+    __builtin_prefetch(&mesh.positions[v]);
+    __builtin_prefetch(&mesh.normals[v]);
+  }
+}
+
 /// By how much the texture coordinates grow with one pixel.
 void interpolate_growth(const FragmentSpan& span, const Run& run, const std::size_t (&vertex)[3],
                         SurfaceSpan& surface) {
@@ -88,29 +97,21 @@ void put_site(const Draw& draw, const LitSites::Site& site, int i, SurfaceSpan& 
   }
 }
 
-void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
-                 float sign, float* out) {
-  const float a0 = sign * corner[0][0];
-  const Batch base(a0), d1(sign * corner[1][0] - a0), d2(sign * corner[2][0] - a0);
-  for (int i = run.first; i < run.first + run.size; i += Batch::lanes)
-    mul_add(Batch::load(span.b2 + i), d2, mul_add(Batch::load(span.b1 + i), d1, base))
-        .store(out + i);
-}
-
 void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   const Mesh& mesh = *span.draw->mesh;
   const Needs needs = span.draw->object->material.model->needs();
   const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
+  const bool positions = span.draw->illumination.needs_position;
   for (int r = 0; r < span.run_count; ++r) {
     const Run& run = span.runs[r];
+    // In a fine mesh each run's vertices are elsewhere in memory.
+    if (r + ahead < span.run_count) prefetch(mesh, span.runs[r + ahead].drawn->triangle);
     const Corners corners(mesh, run.drawn->triangle);
     const auto& v = corners.vertex;
     const auto attribute = [&](const auto& values, float sign, auto& out) {
-      for (int c = 0; c < int(std::size(out)); ++c)
-        interpolate(span, run, {&values[v[0]][c], &values[v[1]][c], &values[v[2]][c]}, sign,
-                    out[c]);
+      interpolate(span, run, {&values[v[0]].x, &values[v[1]].x, &values[v[2]].x}, sign, out);
     };
-    if (span.draw->illumination.needs_position) attribute(mesh.positions, 1, surface.position);
+    if (positions) attribute(mesh.positions, 1, surface.position);
     attribute(mesh.normals, run.back_facing ? -1.0f : 1.0f, surface.normal);
     if (tangents) attribute(mesh.tangents, 1, surface.tangent);
     if (!points) continue;

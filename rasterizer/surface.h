@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "rasterizer/batch.h"
 #include "rasterizer/pipeline.h"
 
 namespace scanlit {
@@ -42,11 +43,23 @@ Face face(const Mesh& mesh, std::uint32_t triangle);
 /// A site of a flat or Gouraud object becomes point i: the face's centroid, or the vertex.
 void put_site(const Draw& draw, const LitSites::Site& site, int i, SurfaceSpan& surface);
 
-/// One attribute over one run: a0 + b1 (a1 - a0) + b2 (a2 - a0), times `sign`. `corner` points at
-/// the attribute in each corner of the triangle. Writes whole vectors: what lands beyond the run is
-/// overwritten by the next one.
+/// The channels of an attribute over one run: a0 + b1 (a1 - a0) + b2 (a2 - a0), times `sign`.
+/// `corner` points at the attribute in each corner of the triangle. Writes whole vectors: what
+/// lands beyond the run is overwritten by the next one.
+template <int channels>
 void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
-                 float sign, float* out);
+                 float sign, float (&out)[channels][SurfaceSpan::padded]) {
+  Batch base[channels], d1[channels], d2[channels];
+  for (int c = 0; c < channels; ++c) {
+    const float a0 = sign * corner[0][c];
+    base[c] = a0, d1[c] = sign * corner[1][c] - a0, d2[c] = sign * corner[2][c] - a0;
+  }
+  for (int i = run.first; i < run.first + run.size; i += Batch::lanes) {
+    const Batch b1 = Batch::load(span.b1 + i), b2 = Batch::load(span.b2 + i);
+    for (int c = 0; c < channels; ++c)
+      mul_add(b2, d2[c], mul_add(b1, d1[c], base[c])).store(out[c] + i);
+  }
+}
 
 /// Every fragment of the span becomes a point, with what its object's Illumination needs.
 void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface);

@@ -74,11 +74,10 @@ void clear(const Rect& r, const ColourTarget& target, const Rgb<double>& backgro
     const float pixel[] = {float(background.r), float(background.g), float(background.b), 0};
     std::uint8_t codes[4];
     PixelEncoder(f.format).row(pixel, codes);
+    const bool black = std::ranges::all_of(codes, [](std::uint8_t code) { return code == 0; });
     for_each_row(r, f, f.rgba8, 4, [&](std::span<std::uint8_t> row) {
-      for (std::size_t i = 0; i < 4; ++i) row[i] = codes[i];
-      // Twice as much at a time: whole blocks of memory are copied faster than pixels.
-      for (std::size_t done = 4; done < row.size(); done *= 2)
-        std::copy_n(row.begin(), std::min(done, row.size() - done), &row[done]);
+      if (black) std::ranges::fill(row, std::uint8_t(0));  // faster by whole cache lines
+      for (std::size_t i = 0; i < row.size() && !black; i += 4) std::copy_n(codes, 4, &row[i]);
     });
   }
   fill(f.depth, 1, 0.0f);

@@ -23,13 +23,13 @@ Draw draw_of(const Mesh& mesh, const glm::mat4& world_from_object, const Camera&
   const glm::dmat4 m(world_from_object);
   return {.object = nullptr,
           .mesh = &mesh,
+          .clusters = {},
           .index = 0,
-          .first_vertex = 0,
-          .first_triangle = 0,
           .clip_from_object = glm::mat4(clip_from_world(camera, aspect) * m),
           .normal_from_object = glm::mat3(1),
           .draw_back_faces = false,
-          .mirrored = glm::determinant(glm::dmat3(m)) < 0};
+          .mirrored = glm::determinant(glm::dmat3(m)) < 0,
+          .illumination = {}};
 }
 
 unsigned outcode(const ClipVertex& v, const Viewport& viewport) {
@@ -68,7 +68,7 @@ Fate fate(const Draw& draw, const Viewport& viewport, std::uint32_t triangle) {
 
   std::vector<ClippedTriangle> pieces;
   if (any != 0) {
-    clip(corners, any, viewport, triangle, pieces);
+    clip(corners, any, viewport, pieces);
   } else {
     ClippedTriangle& whole = pieces.emplace_back();
     for (int c = 0; c < 3; ++c) whole.vertices[c] = project(corners[c], viewport);
