@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "lessons/studio/commands.h"
 #include "lessons/studio/frames/frame_folder.h"
@@ -89,8 +90,8 @@ Job job_of(const FramesOptions& options, const Ranks& ranks) {
 }
 
 /// All that is done once, whatever the number of ranks: every check, the folder, and its manifest.
-void prepare(const FramesOptions& options, const Job& job) {
-  const Sequence sequence(options.input, options.given(), job.motion);
+Sequence prepare(const FramesOptions& options, const Job& job) {
+  Sequence sequence(options.input, options.given(), job.motion);
   const Picture& picture = sequence.first().picture;
   validate_size(picture.width, picture.height);
   if (!options.gif.empty()) {
@@ -104,6 +105,7 @@ void prepare(const FramesOptions& options, const Job& job) {
                             {"--sweep", options.sweeps},  {"--format", options.format}};
   job.folder.prepare(describe_job(options.input, options.given(), rest, sequence.first()),
                      options.force);
+  return sequence;
 }
 
 struct Counts {
@@ -111,8 +113,7 @@ struct Counts {
 };
 
 /// Draws those of the process's frames that are missing or damaged.
-Counts draw(const FramesOptions& options, const Job& job) {
-  Sequence sequence(options.input, options.given(), job.motion);
+Counts draw(const Job& job, Sequence& sequence) {
   const Picture& picture = sequence.first().picture;
   Counts counts;
   std::vector<int> missing;
@@ -127,30 +128,33 @@ Counts draw(const FramesOptions& options, const Job& job) {
   ProgressBar bar;
   for (const int index : missing) {
     FrameScene frame = sequence.frame(index);
-    frame.settings.progress = [&](double done) {
+    frame.picture.settings.progress = [&](double done) {
       bar.show((double(counts.drawn) + done) / double(missing.size()));
     };
-    renderer.render(frame.scene, frame.camera, frame.settings, framebuffer);
+    renderer.render(frame.scene, frame.camera, frame.picture.settings, framebuffer);
     const HoldInterrupts until_written;
-    write_image(job.folder.file(index), framebuffer, picture.image);
+    write_image(job.folder.file(index), framebuffer, frame.picture.image);
     ++counts.drawn;
   }
   return counts;
 }
 
 /// By whichever process finds all frames there.
-void write_gif(const FramesOptions& options, const Job& job) {
-  const Picture picture = describe(options.input, options.given()).picture;
+void write_gif(const FramesOptions& options, const Job& job, const Picture& picture) {
   for (int frame = 0; frame < job.motion.frames; ++frame)
     if (!job.folder.finished(frame, picture.width, picture.height))
       return note(options.gif + " is made by whoever draws the last frame; " +
                   job.folder.file(frame).filename().string() + " is not there yet");
   // 8-bit frames are taken code by code.
   const Encoding encoding = options.format == "exr" ? picture.image.encoding : Encoding::linear;
+  ProgressBar bar("joining");
   const HoldInterrupts until_written;
   write_animation(
       options.gif, job.motion.frames,
-      [&](int frame) { return read_image(job.folder.file(frame), Encoding::linear); },
+      [&](int frame) {
+        bar.show(double(frame) / job.motion.frames);
+        return read_image(job.folder.file(frame), Encoding::linear);
+      },
       job.frames_per_second, encoding);
   std::cout << options.gif << ": " << job.motion.frames << " frames\n";
 }
@@ -172,19 +176,23 @@ void make_frames(const FramesOptions& options) {
       failure = std::current_exception();
     }
   };
-  if (ranks.rank() == 0) attempt([&] { prepare(options, job_of(options, ranks)); });
+  std::optional<Sequence> sequence;
+  if (ranks.rank() == 0) attempt([&] { sequence = prepare(options, job_of(options, ranks)); });
   if (!ranks.agreed(!failure)) {
     if (failure) std::rethrow_exception(failure);
     return;
   }
   const Job job = job_of(options, ranks);
   Counts counts;
-  attempt([&] { counts = draw(options, job); });
+  attempt([&] {
+    if (!sequence) sequence.emplace(options.input, options.given(), job.motion);
+    counts = draw(job, *sequence);
+  });
   const auto [drawn, kept, failures] = ranks.summed({counts.drawn, counts.kept, failure ? 1 : 0});
   if (failure) std::rethrow_exception(failure);
   if (ranks.rank() > 0 || failures > 0) return;
   report(job, drawn, kept);
-  if (!options.gif.empty()) write_gif(options, job);
+  if (!options.gif.empty()) write_gif(options, job, sequence->first().picture);
 }
 
 }  // namespace

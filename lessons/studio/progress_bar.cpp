@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <utility>
 
 namespace scanlit::studio {
 namespace {
@@ -27,8 +28,10 @@ std::string time_left(double seconds) {
   return text;
 }
 
-ProgressBar::ProgressBar()
-    : start_(std::chrono::steady_clock::now()), terminal_(isatty(STDERR_FILENO)) {}
+ProgressBar::ProgressBar(std::string what)
+    : what_(std::move(what)),
+      start_(std::chrono::steady_clock::now()),
+      terminal_(isatty(STDERR_FILENO)) {}
 
 ProgressBar::~ProgressBar() {
   if (!shown_.empty()) std::fputs(clear_line, stderr);
@@ -41,7 +44,7 @@ void ProgressBar::show(double share) {
   const std::size_t width = 40, filled = std::size_t(double(width) * share);
   char percent[16];
   std::snprintf(percent, sizeof percent, " %3d %%", static_cast<int>(100 * share));
-  const std::string line = "rendering [" + std::string(filled, '#') +
+  const std::string line = what_ + " [" + std::string(filled, '#') +
                            std::string(width - filled, '.') + ']' + percent + ", " +
                            time_left(elapsed.count() * (1 - share) / share);
   if (line == shown_) return;

@@ -8,7 +8,7 @@ namespace scanlit::studio {
 
 class ProgressBar {
  public:
-  ProgressBar();
+  explicit ProgressBar(std::string what = "rendering");
   ~ProgressBar();  // wipes the line
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
@@ -17,6 +17,7 @@ class ProgressBar {
   void show(double share);
 
  private:
+  std::string what_;
   std::chrono::steady_clock::time_point start_;
   bool terminal_;
   std::string shown_;

@@ -81,8 +81,8 @@ void change(toml::array& array, const std::string& name, Keys keys, Numbers valu
   std::size_t index = 0;
   const auto [end, code] = std::from_chars(key.data(), key.data() + key.size(), index);
   if (code != std::errc() || end != key.data() + key.size() || index >= array.size())
-    throw Error("'" + std::string(key) + "' is none of the scene's " +
-                std::to_string(array.size()) + ' ' + name + ", which count from 0");
+    throw Error(name + " has no '" + std::string(key) + "'; there are 0 to " +
+                std::to_string(std::ptrdiff_t(array.size()) - 1));
   if (keys.size() > 1) return change(array[index], name, keys.subspan(1), value);
   if (value.size() > 1) throw Error(name + '.' + std::string(key) + " is one number, not a list");
   array.insert(array.erase(array.begin() + std::ptrdiff_t(index)), value.front());

@@ -4,6 +4,7 @@
 #include <mpi.h>
 #endif
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 #include <string>
@@ -20,9 +21,11 @@ std::optional<int> environment(const char* name) {
   return parse_integer(name, text, {0, 1e9});
 }
 
-/// How many processes a launcher says it started: Open MPI's mpirun, or others by PMI.
+/// How many processes a launcher says it started: Open MPI's mpirun, others by PMI, Slurm's srun.
 int launched() {
-  return environment("OMPI_COMM_WORLD_SIZE").value_or(environment("PMI_SIZE").value_or(1));
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "SLURM_STEP_NUM_TASKS"})
+    if (const auto count = environment(name)) return *count;
+  return 1;
 }
 
 }  // namespace
@@ -31,7 +34,7 @@ int launched() {
 
 Ranks::Ranks() {
   // Alone, MPI would start a helper process and take its time for it.
-  if (launched() == 1) return;
+  if (launched() <= 1) return;
   mpi_ = true;
   MPI_Init(nullptr, nullptr);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);

@@ -50,6 +50,7 @@ Sequence::Sequence(std::string input, std::vector<GivenEdit> edits, Motion motio
                                "' is not; sweep an option: --model phong:n=5:100");
   if (!motion_.sweeps.empty()) studio::describe(input_, {});  // its own faults, in its own words
   first_ = describe(0);
+  describe(motion_.frames - 1);  // of what is out of range the end is named, and not the way there
   const std::vector<int> samples = spread(motion_.frames);
   for (const int index : samples) {
     const Description description = describe(index);
@@ -133,7 +134,7 @@ FrameScene Sequence::frame(int index) {
   // Fitting looks at every vertex at all its places.
   const bool same_view = description.view == first_.view;
   FrameScene frame{scene_of(description, index), same_view ? camera_ : camera_of(description.view),
-                   description.picture.settings};
+                   description.picture};
   Camera& camera = frame.camera;
   if (motion_.orbit == Orbit::camera) {
     camera.eye = turned_point(turn(index, 1), camera.eye);

@@ -27,7 +27,7 @@ struct Motion {
 struct FrameScene {
   Scene scene;
   Camera camera;
-  RenderSettings settings;
+  Picture picture;
 };
 
 class Sequence {
@@ -36,7 +36,7 @@ class Sequence {
   /// Throws Error.
   Sequence(std::string input, std::vector<GivenEdit> edits, Motion motion);
 
-  /// Size, image options and mesh files, which are those of every frame.
+  /// Size and mesh files are those of every frame.
   const Description& first() const { return first_; }
 
   /// Keeps the meshes from one call to the next. Throws Error.

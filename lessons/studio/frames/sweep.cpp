@@ -2,6 +2,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "lessons/studio/text.h"
 #include "models/specification.h"
@@ -21,6 +22,9 @@ std::optional<std::vector<double>> numbers_in(std::string_view text, char separa
   }
   return numbers;
 }
+
+constexpr double largest = std::numeric_limits<double>::max();
+constexpr Range any_number{-largest, largest};
 
 char separator_of(std::string_view text) { return text.find('/') == text.npos ? ',' : '/'; }
 
@@ -46,6 +50,8 @@ std::optional<Sweep> parse_sweep(const std::string& where, std::string_view text
   const auto from = numbers_in(text.substr(0, colon), separator);
   const auto to = numbers_in(text.substr(colon + 1), separator);
   if (!from || !to) return std::nullopt;
+  for (const auto* side : {&*from, &*to})
+    for (const double number : *side) in_range(where, number, any_number);
   if (from->size() != to->size())
     throw Error(where, "'" + std::string(text) + "' goes from " + std::to_string(from->size()) +
                            " to " + std::to_string(to->size()) +
