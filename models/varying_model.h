@@ -64,6 +64,24 @@ class VaryingModel final : public ReflectionModel {
     }
   }
 
+  std::size_t radiance(const ViewedSpan& in, std::span<const LightSource> lights,
+                       const RadianceSpan& out) const override {
+    Of<Batch> formula = with_constants<Batch>();
+    std::size_t evaluations = 0;
+    for (std::size_t i = 0; i < in.size; i += Batch::lanes) {
+      set_varying(formula,
+                  [&](std::size_t array) { return Batch::load(in.parameters[array] + i); });
+      const auto reflect = [&](std::size_t, const Cosines<Batch>& c, const Vec3<Batch>& l,
+                               const Vec3<Batch>& h) {
+        ShadingFrame<Batch> frame;
+        if (in.tangent[0]) frame = frame_of(in, i, l, h);
+        return value_of(formula, c, frame, load_point(*in.points, i));
+      };
+      evaluations += radiance_of_block<1>(in, lights, out, i, reflect);
+    }
+    return evaluations;
+  }
+
   Reflection<double> evaluate(const Vec3<double>& l, const Vec3<double>& v,
                               const SurfacePoint<double>& point) const override {
     return query_at(l, v, point);

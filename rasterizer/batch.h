@@ -8,8 +8,8 @@
 //  * operators + - * / and sqrt are single IEEE operations, never fused (the build says
 //    -ffp-contract=off): the same to the bit as scalar float on every processor. Whatever decides
 //    coverage, ids or depth uses these alone.
-//  * mul_add is fused where the processor can (AVX2, AVX-512) and not elsewhere (SSE4): for shading
-//    alone.
+//  * mul_add is fused where the processor can (AVX2, AVX-512) and not elsewhere (SSE4); reciprocal
+//    and inverse_sqrt start from the processor's own estimate: for shading alone.
 #pragma once
 
 #include <hwy/highway.h>
@@ -76,6 +76,24 @@ class Batch {
   Vector raw;
 };
 
+/// 1/x, for 2^-125 <= |x| <= 2^125. Maximum error: 1.2e-7 relative; a third of a division's time.
+/// Two steps of Newton's iteration in one: with e = 1 - x r, 1/x = r / (1 - e) = r (1 + e + e^2
+/// ...)
+inline Batch reciprocal(Batch x) {
+  const Batch r = hn::ApproximateReciprocal(x.raw);  // |e| <= 1.5 * 2^-12
+  const Batch e = hn::NegMulAdd(x.raw, r.raw, Batch(1).raw);
+  return mul_add(r, mul_add(e, e, e), r);
+}
+
+/// 1/sqrt(x), for 2^-125 <= x <= 2^125. Maximum error: 1.5e-7 relative; a quarter of the time that
+/// root and division take. With e = 1 - x r^2, 1/sqrt(x) = r (1 - e)^(-1/2) = r (1 + e/2 + 3e^2/8
+/// ...)
+inline Batch inverse_sqrt(Batch x) {
+  const Batch r = hn::ApproximateReciprocalSqrt(x.raw);  // |e| <= 1.5 * 2^-11
+  const Batch e = hn::NegMulAdd((x * r).raw, r.raw, Batch(1).raw);
+  return mul_add(r * e, mul_add(e, 0.375f, 0.5f), r);
+}
+
 /// e^x. Domain: all x. Below -87 the result is 0, above 88 it is e^88 (1.65e38), of NaN it is e^-87
 /// (1.65e-38). Maximum error on [-87, 88]: 9e-8 relative.
 /// Source: argument reduction x = k ln 2 + r after Cody and Waite 1980, with ln 2 in two parts so
@@ -111,7 +129,7 @@ inline Batch log_sum(Batch x, Batch low) {
   const auto mantissa = hn::And(above, hn::Set(ints, 0x007fffff));
   const Batch m = hn::BitCast(Batch::tag, hn::Add(mantissa, sqrt_half));
   const Batch f = (m - 1.0f) + low;
-  const Batch s = f / (m + 1.0f);
+  const Batch s = f * reciprocal(m + 1.0f);
   const Batch s2 = s * s;
   const Batch p = mul_add(mul_add(s2, 2.0 / 9, 2.0 / 7), s2 * s2, mul_add(s2, 2.0 / 5, 2.0 / 3));
   // 2 atanh(s) = f - s f + s^3 p, because 2 s = f - s f: the leading term f is exact.

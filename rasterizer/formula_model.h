@@ -20,101 +20,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "rasterizer/batch.h"
-#include "rasterizer/batch_trigonometry.h"
-#include "rasterizer/reflection_model.h"
-#include "rasterizer/scalar_math.h"
+#include "rasterizer/radiance.h"
 
 namespace scanlit {
-
-/// A cosine that also knows its angle's versine, 1 - cos. Used as a number it is the cosine. Near 1
-/// a float cosine has lost the angle; the versine, formed as a sum of squares, has not.
-template <class T>
-struct Cosine {
-  T cos{};
-  T versine{};
-  operator const T&() const { return cos; }
-
-  static Cosine of_versine(const T& versine) { return {.cos = T(1) - versine, .versine = versine}; }
-
-  /// sin^2 of the angle, without the cancellation of 1 - cos^2 near 0.
-  T sin2() const { return versine * (T(1) + cos); }
-};
-
-/// The angles of the lecture, as cosines.
-template <class T>
-struct Cosines {
-  T n_l;          // N.L, in (-1, 1]
-  T n_v;          // N.V, in [min_n_v, 1]
-  Cosine<T> n_h;  // N.H, H half-way between L and V
-  T v_h;          // V.H = L.H, in [0, 1]
-  // 1 - N.L and 1 - N.V as sums of squares: what a formula in angles has near the normal, where the
-  // cosines have lost them. They cost nothing where they are not used.
-  T n_l_versine, n_v_versine;
-};
-
-/// The directions in the shading frame: x tangent, y bitangent, z normal; unit.
-template <class T>
-struct ShadingFrame {
-  Vec3<T> l, v, h;
-};
-
-/// cos^n for n >= 0. Maximum error in float and Batch: (1 + |n log cos|) * 1.6e-7 relative, also
-/// for n = 1e5, because the logarithm is taken of 1 - versine unrounded: the rounding of the cosine
-/// would be magnified n times.
-template <class T>
-T pow(const Cosine<T>& c, const T& n) {
-  const T one(1), zero(0);
-  const T lost =
-      (one - c.cos) - c.versine;  // by rounding to the cosine; both differences are exact
-  const T power = exp(n * log_sum(max(c.cos, T(1e-37)), lost));
-  return select(c.cos > zero, power, select(n > zero, zero, one));
-}
-
-/// The angle in radians, from its versine: alpha = 2 asin(sqrt(versine / 2)). Maximum error in
-/// float and Batch, versine in [0, 1]: 4e-7 relative, also near 0, where the acos of a rounded
-/// cosine would be off by up to 2.4e-4 rad.
-template <class T>
-T angle(const Cosine<T>& c) {
-  return T(2) * asin(sqrt(T(0.5) * c.versine));
-}
-/// Its square, for lobes in alpha^2. Maximum error: 8e-7 relative.
-template <class T>
-T angle2(const Cosine<T>& c) {
-  const T alpha = angle(c);
-  return alpha * alpha;
-}
-
-/// The cosines of unit n, l and v, without cancellation: H's direction is s = l + v, V.H = |s| / 2,
-/// and 1 - N.H = |H - N|^2 / 2. This is the one place where N.V is clamped (min_n_v). None exceeds
-/// 1, as the dot product of two rounded unit vectors may: sqrt(1 - n_l * n_l) would be NaN.
-template <class T>
-Cosines<T> cosines(const Vec3<T>& n, const Vec3<T>& l, const Vec3<T>& v) {
-  const Vec3<T> s = l + v;
-  // Where l = -v, H has no direction: 0/0 without the bound. Taken as perpendicular to N.
-  const T s2 = dot(s, s), tiny(1e-20);
-  const T inverse_length = T(1) / sqrt(max(s2, tiny));
-  const Vec3<T> h_n = s * inverse_length - n;
-  const T versine = select(s2 < tiny, T(1), T(0.5) * dot(h_n, h_n));
-  const T one(1), half(0.5);
-  const Vec3<T> l_n = l - n, v_n = v - n;
-  return {.n_l = min(one, dot(n, l)),
-          .n_v = min(one, max(dot(n, v), T(min_n_v))),
-          .n_h = Cosine<T>::of_versine(versine),
-          .v_h = min(one, half * (s2 * inverse_length)),
-          .n_l_versine = half * dot(l_n, l_n),
-          .n_v_versine = min(half * dot(v_n, v_n), T(1 - min_n_v))};
-}
-
-/// Directions into the shading frame of unit n and tangent t (perpendicular to n).
-template <class T>
-ShadingFrame<T> shading_frame(const Vec3<T>& n, const Vec3<T>& t, const Vec3<T>& l,
-                              const Vec3<T>& v) {
-  const Vec3<T> b = cross(n, t), s = l + v;
-  const T inverse = T(1) / sqrt(max(dot(s, s), T(1e-20)));  // as in cosines()
-  const auto local = [&](const Vec3<T>& d) { return Vec3<T>{dot(t, d), dot(b, d), dot(n, d)}; };
-  return {.l = local(l), .v = local(v), .h = local(s * inverse)};
-}
 
 /// What a formula's call operator takes.
 template <class Formula>
@@ -136,20 +44,26 @@ Needs needs_of(const Formula& formula) {
   return needs;
 }
 
+/// The formula's value, whatever it is where the light is below the horizon.
+template <class T, class Formula>
+Reflection<T> value_of(const Formula& formula, const Cosines<T>& c,
+                       [[maybe_unused]] const ShadingFrame<T>& frame,
+                       [[maybe_unused]] const SurfacePoint<T>& point) {
+  if constexpr (Takes<Formula>::both)
+    return formula(c, frame, point);
+  else if constexpr (Takes<Formula>::frame)
+    return formula(c, frame);
+  else if constexpr (Takes<Formula>::point)
+    return formula(c, point);
+  else
+    return formula(c);
+}
+
 /// The formula's value; 0 where the light is below the horizon.
 template <class T, class Formula>
 Reflection<T> above_horizon(const Formula& formula, const Cosines<T>& c,
-                            [[maybe_unused]] const ShadingFrame<T>& frame,
-                            [[maybe_unused]] const SurfacePoint<T>& point) {
-  Reflection<T> value;
-  if constexpr (Takes<Formula>::both)
-    value = formula(c, frame, point);
-  else if constexpr (Takes<Formula>::frame)
-    value = formula(c, frame);
-  else if constexpr (Takes<Formula>::point)
-    value = formula(c, point);
-  else
-    value = formula(c);
+                            const ShadingFrame<T>& frame, const SurfacePoint<T>& point) {
+  const Reflection<T> value = value_of(formula, c, frame, point);
   const auto lit = c.n_l > T(0);
   const auto mask = [&](const Rgb<T>& a) -> Rgb<T> {
     return {select(lit, a.r, T(0)), select(lit, a.g, T(0)), select(lit, a.b, T(0))};
@@ -166,13 +80,6 @@ Reflection<T> query(const Formula& formula, const Vec3<T>& l, const Vec3<T>& v,
   return above_horizon(formula, cosines(n, l, v), shading_frame(n, t, l, v), point);
 }
 
-// A vector of a span's points, from point i on.
-inline Vec3<Batch> load_vec3(const float* const* a, std::size_t i) {
-  return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
-}
-inline Rgb<Batch> load_rgb(const float* const* a, std::size_t i) {
-  return {Batch::load(a[0] + i), Batch::load(a[1] + i), Batch::load(a[2] + i)};
-}
 inline SurfacePoint<Batch> load_point(const PointSpan& points, std::size_t i) {
   return {.object_position = load_vec3(points.object_position, i),
           .u = Batch::load(points.texcoord[0] + i),
@@ -185,9 +92,17 @@ inline void store(const Reflection<Batch>& value, const ReflectionSpan& out, std
   value.diffuse.b.store(out.diffuse[2] + i), value.glossy.b.store(out.glossy[2] + i);
 }
 
+/// The shading frame at a vector of points.
+inline ShadingFrame<Batch> frame_of(const ViewedSpan& in, std::size_t i, const Vec3<Batch>& l,
+                                    const Vec3<Batch>& h) {
+  const Vec3<Batch> v = in.to_viewer[0] ? load_vec3(in.to_viewer, i) : broadcast(in.far_viewer);
+  return shading_frame(load_vec3(in.normal, i), load_vec3(in.tangent, i), l, v, h);
+}
+
 template <class Formula>
 class FormulaModel final : public ReflectionModel {
   static constexpr std::size_t block_vectors = Batch::lanes == 4 ? 4 : 2;
+  static constexpr std::size_t radiance_vectors = 8;
   // A formula that owns tables is not copied.
   using LocalFormula =
       std::conditional_t<std::is_trivially_copyable_v<Formula>, const Formula, const Formula&>;
@@ -210,6 +125,30 @@ class FormulaModel final : public ReflectionModel {
     std::size_t i = 0;
     for (; i + several <= in.size; i += several) evaluate_block<block_vectors>(formula, in, out, i);
     for (; i < in.size; i += lanes) evaluate_block<1>(formula, in, out, i);
+  }
+
+  // Flattened for the same reason.
+  [[gnu::flatten]] std::size_t radiance(const ViewedSpan& viewed,
+                                        std::span<const LightSource> lights,
+                                        const RadianceSpan& sent) const override {
+    const ViewedSpan in = viewed;
+    const RadianceSpan out = sent;
+    const LocalFormula formula = formula_;
+    const auto reflect = [&](std::size_t i, const Cosines<Batch>& c,
+                             [[maybe_unused]] const Vec3<Batch>& l,
+                             [[maybe_unused]] const Vec3<Batch>& h) {
+      ShadingFrame<Batch> frame;
+      if constexpr (Takes<Formula>::frame)
+        if (in.tangent[0]) frame = frame_of(in, i, l, h);
+      SurfacePoint<Batch> point;
+      if constexpr (Takes<Formula>::point) point = load_point(*in.points, i);
+      return value_of(formula, c, frame, point);
+    };
+    constexpr std::size_t several = radiance_vectors * std::size_t(Batch::lanes);
+    std::size_t evaluations = 0;
+    for (std::size_t i = 0; i < in.size; i += several)
+      evaluations += radiance_of_block<radiance_vectors>(in, lights, out, i, reflect);
+    return evaluations;
   }
 
   Reflection<double> evaluate(const Vec3<double>& l, const Vec3<double>& v,

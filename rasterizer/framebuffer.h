@@ -20,11 +20,11 @@ enum class ColourFormat { linear_float, linear_8bit, srgb_8bit };
 /// Which planes a frame fills, and how colour is stored. A plane that is not asked for costs
 /// nothing.
 struct Planes {
-  ColourFormat format = ColourFormat::linear_float;
   bool depth = false;   // larger is nearer; 0 where nothing is covered
   bool normal = false;  // world space, unit, as shaded; (0,0,0) where nothing is covered
   bool ids = false;     // object: index in Scene::objects; triangle: index in its Mesh
   bool parts = false;   // ambient, diffuse and glossy, whose sum is the colour
+  ColourFormat format = ColourFormat::linear_float;
 
   friend bool operator==(const Planes&, const Planes&) = default;
 };
@@ -48,7 +48,7 @@ struct Framebuffer {
 
   std::size_t pixel_count() const { return std::size_t(width) * std::size_t(height); }
   Planes planes() const {
-    return {format, !depth.empty(), !normal.empty(), !object_id.empty(), !ambient.empty()};
+    return {!depth.empty(), !normal.empty(), !object_id.empty(), !ambient.empty(), format};
   }
 };
 

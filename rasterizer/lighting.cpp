@@ -5,7 +5,7 @@
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
 
-#include "rasterizer/scalar_math.h"
+#include "rasterizer/cosines.h"
 #include "rasterizer/span_math.h"
 #include "rasterizer/tangents.h"
 
@@ -14,86 +14,93 @@ namespace scanlit {
 namespace {
 
 constexpr int padded = SurfaceSpan::padded;
+using Channels = float[3][padded];
 
-/// v / |v|, or `otherwise` where v has no direction: a normal interpolated to zero, a light or an
-/// eye that lies on the surface. Without the bound those would be 0/0.
-Vec3<Batch> normalize_or(const Vec3<Batch>& v, const Vec3<Batch>& otherwise) {
-  const Batch length2 = dot(v, v), tiny(1e-30f);
-  const auto has_direction = length2 > tiny;
-  const Vec3<Batch> unit = v * (Batch(1) / sqrt(max(length2, tiny)));
-  return select(has_direction, unit, otherwise);
-}
-
-/// What the model's span is made of, in world space.
-struct Directions {
+/// What the model's span is made of besides the normals, in world space.
+struct Places {
   float position[3][padded];
   float to_viewer[3][padded];
-  float to_light[3][padded];
-  float irradiance[padded];  // Ii times fall-off and spot cone, colour apart
 };
 
 /// Object space to world space, and the directions that do not depend on a light. A normal of no
 /// length is taken to face the viewer.
-void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Directions& d) {
-  const Camera& camera = frame.camera;
-  const bool far_viewer =
-      camera.viewer_at_infinity || camera.projection == Projection::orthographic;
-  const Vec3<Batch> eye = broadcast(camera.eye), far_direction = broadcast(towards_viewer(camera));
+void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Places& places) {
+  const Illumination& illumination = draw.illumination;
+  const bool far_viewer = illumination.viewer_far;
+  const bool each = !far_viewer || !frame.settings.skips.far_directions;
+  const bool positions = illumination.near_lights || !frame.settings.skips.unused_attributes;
+  const Vec3<Batch> eye = broadcast(frame.camera.eye);
+  const Vec3<Batch> far_direction = broadcast(towards_viewer(frame.camera));
   const glm::mat4& m = draw.object->world_from_object;
   const glm::mat3 linear(m);
+  const glm::mat3 normal_from_object = draw.normal_from_object;
   const Vec3<Batch> origin = broadcast(m[3]);
 
   for (int i = 0; i < surface.size; i += Batch::lanes) {
-    const Vec3<Batch> position = transform(linear, load(surface.position, i)) + origin;
-    const Vec3<Batch> to_viewer =
-        far_viewer ? far_direction : normalize_or(eye - position, far_direction);
-    const Vec3<Batch> normal =
-        normalize_or(transform(draw.normal_from_object, load(surface.normal, i)), to_viewer);
-    store(position, d.position, i);
-    store(to_viewer, d.to_viewer, i);
-    store(normal, surface.normal, i);
-  }
-}
-
-void directional(const Light& light, const SurfaceSpan& surface, Directions& d) {
-  const Vec3<Batch> to_light = broadcast(glm::normalize(light.direction));
-  for (int i = 0; i < surface.size; i += Batch::lanes) {
-    store(to_light, d.to_light, i);
-    Batch(light.intensity).store(d.irradiance + i);
-  }
-}
-
-/// Point light, with its fall-off; spot light, with its cone besides.
-void positional(const Light& light, const SurfaceSpan& surface, Directions& d) {
-  const bool spot = light.kind == LightKind::spot;
-  const Vec3<Batch> position = broadcast(light.position);
-  const Vec3<Batch> axis = spot ? broadcast(-glm::normalize(light.direction)) : Vec3<Batch>{};
-  const float cos_outer = float(std::cos(glm::radians(light.outer_deg)));
-  const float cos_inner = float(std::cos(glm::radians(light.inner_deg)));
-  for (int i = 0; i < surface.size; i += Batch::lanes) {
-    const Vec3<Batch> offset = position - load(d.position, i);
-    const Vec3<Batch> to_light = normalize_or(offset, load(surface.normal, i));
-    const Batch distance2 = dot(offset, offset), distance = sqrt(distance2);
-    // At the light itself an inverse-square light would be infinite; from 1e-4 units on it stays
-    // as it is there.
-    const Batch fall_off = max(
-        Batch(light.constant) + Batch(light.linear) * distance + Batch(light.quadratic) * distance2,
-        Batch(1e-8f));
-    Batch irradiance = Batch(light.intensity) / fall_off;
-    if (spot) {
-      // Smoothstep between the two angles' cosines.
-      const Batch share = (dot(axis, to_light) - Batch(cos_outer)) *
-                          Batch(1 / std::max(cos_inner - cos_outer, 1e-6f));
-      const Batch t = min(max(share, Batch(0)), Batch(1));
-      irradiance = irradiance * (t * t * (Batch(3) - Batch(2) * t));
+    Vec3<Batch> to_viewer = far_direction;
+    if (positions || !far_viewer) {
+      const Vec3<Batch> position = transform(linear, load(surface.position, i)) + origin;
+      if (!far_viewer) to_viewer = normalize_or(eye - position, far_direction);
+      if (positions) store(position, places.position, i);
     }
-    store(to_light, d.to_light, i);
-    irradiance.store(d.irradiance + i);
+    if (each) store(to_viewer, places.to_viewer, i);
+    store(normalize_or(transform(normal_from_object, load(surface.normal, i)), to_viewer),
+          surface.normal, i);
   }
+}
+
+LightSource light_source(const Light& light, const Material& material) {
+  LightSource source{.far = light.kind == LightKind::directional,
+                     .cone = light.kind == LightKind::spot,
+                     .constant = float(light.constant),
+                     .linear = float(light.linear),
+                     .quadratic = float(light.quadratic)};
+  const auto vec3 = [](const glm::dvec3& v) {
+    return Vec3<float>{float(v.x), float(v.y), float(v.z)};
+  };
+  source.position = vec3(light.position);
+  if (source.far) source.to_light = vec3(glm::normalize(light.direction));
+  if (source.cone) {
+    source.axis = vec3(-glm::normalize(light.direction));
+    const float cos_inner = float(std::cos(glm::radians(light.inner_deg)));
+    source.cos_outer = float(std::cos(glm::radians(light.outer_deg)));
+    source.inverse_width = 1 / std::max(cos_inner - source.cos_outer, 1e-6f);
+  }
+  // Form 1: the light tints both parts. Form 2: the object colours the diffuse part, the light the
+  // glossy one.
+  const auto times_intensity = [&](const Rgb<double>& colour) {
+    const auto bounded = [&](double c) { return float(std::min(light.intensity * c, 1e30)); };
+    return Rgb<float>{bounded(colour.r), bounded(colour.g), bounded(colour.b)};
+  };
+  const bool plastic = material.form == ColourForm::plastic;
+  source.diffuse = times_intensity(plastic ? material.object_colour : light.colour);
+  source.glossy = times_intensity(light.colour);
+  return source;
+}
+
+bool black(const LightSource& light) {
+  const auto largest = [](const Rgb<float>& c) { return std::max({c.r, c.g, c.b}); };
+  return !(std::max(largest(light.diffuse), largest(light.glossy)) > 0);
+}
+
+/// H of a far light and a far viewer, by the same operations as at a point: the same bits.
+HalfWay<float> far_half_way(const Vec3<float>& to_light, const Vec3<float>& to_viewer) {
+  const HalfWay<Batch> half = half_way(broadcast(to_light), broadcast(to_viewer));
+  const auto one = [](const Batch& value) {
+    float lanes[Batch::lanes];
+    value.store(lanes);
+    return lanes[0];
+  };
+  return {{one(half.h.x), one(half.h.y), one(half.h.z)}, one(half.v_h), one(half.s2)};
+}
+
+Vec3<float> far_viewer(const Camera& camera) {
+  const auto v = towards_viewer(camera);
+  return {float(v.x), float(v.y), float(v.z)};
 }
 
 /// The surface as the model sees it, once place() has brought normals and tangents to world space.
-PointSpan point_span(const Draw& draw, const SurfaceSpan& surface, const DirectionSpan& placed) {
+PointSpan point_span(const Draw& draw, const SurfaceSpan& surface, const ViewedSpan& placed) {
   PointSpan points{.size = placed.size};
   for (int c = 0; c < 3; ++c) {
     points.object_position[c] = surface.position[c];
@@ -111,45 +118,44 @@ PointSpan point_span(const Draw& draw, const SurfaceSpan& surface, const Directi
   return points;
 }
 
-void accumulate(const SurfaceSpan& surface, const Directions& d, const LitSpan& reflection,
-                const Rgb<double>& diffuse_tint, const Rgb<double>& glossy_tint, LitSpan& lit) {
-  const double tints[2][3] = {{diffuse_tint.r, diffuse_tint.g, diffuse_tint.b},
-                              {glossy_tint.r, glossy_tint.g, glossy_tint.b}};
-  for (int channel = 0; channel < 3; ++channel) {
-    const Batch diffuse(tints[0][channel]), glossy(tints[1][channel]);
-    for (int i = 0; i < surface.size; i += Batch::lanes) {
-      const Batch irradiance = Batch::load(d.irradiance + i);
-      const auto add = [&](const float* part, const Batch& tint, float* sum) {
-        mul_add(irradiance * tint, Batch::load(part + i), Batch::load(sum + i)).store(sum + i);
-      };
-      add(reflection.diffuse[channel], diffuse, lit.diffuse[channel]);
-      add(reflection.glossy[channel], glossy, lit.glossy[channel]);
-    }
-  }
-}
-
 /// What an ambient reflectance is multiplied by: Ia, or in form 2 its mean and the object's colour.
 Rgb<double> ambient_light(const Scene& scene, const Material& material) {
   const Rgb<double>& a = scene.ambient;
   return material.form == ColourForm::tinted ? a : material.object_colour * ((a.r + a.g + a.b) / 3);
 }
 
-/// The ambient term of every point.
-void ambient(const Scene& scene, const Material& material, DirectionSpan in,
-             const ReflectionSpan& head_on, LitSpan& lit) {
-  const Rgb<float> constant = ambient_radiance(scene, material);
-  const float constants[3] = {constant.r, constant.g, constant.b};
-  for (int c = 0; c < 3; ++c) std::ranges::fill(lit.ambient[c], constants[c]);
-  if (material.ambient_share == 0) return;
-
-  for (int c = 0; c < 3; ++c) in.to_light[c] = in.to_viewer[c] = in.normal[c];
-  material.model->evaluate(in, head_on);
-  const Rgb<double> light = ambient_light(scene, material) * material.ambient_share;
+/// Material::ambient_share of the model, lit and seen head-on, on top of the ambient radiance.
+void add_share(const Frame& frame, const Material& material, const ViewedSpan& in,
+               const Rgb<float>& constant, Channels& ambient) {
+  float head_on[6][padded];
+  const ReflectionSpan out{.diffuse = {head_on[0], head_on[1], head_on[2]},
+                           .glossy = {head_on[3], head_on[4], head_on[5]}};
+  DirectionSpan directions{.size = in.size, .points = in.points, .parameters = in.parameters};
+  for (int c = 0; c < 3; ++c) {
+    directions.normal[c] = directions.to_light[c] = directions.to_viewer[c] = in.normal[c];
+    directions.tangent[c] = in.tangent[c];
+  }
+  material.model->evaluate(directions, out);
+  const Rgb<double> light = ambient_light(frame.scene, material) * material.ambient_share;
   const Batch lights[3] = {light.r, light.g, light.b};
+  const float constants[3] = {constant.r, constant.g, constant.b};
   for (int c = 0; c < 3; ++c)
     for (std::size_t i = 0; i < in.size; i += Batch::lanes)
-      mul_add(lights[c], Batch::load(head_on.diffuse[c] + i), constants[c])
-          .store(lit.ambient[c] + i);
+      mul_add(lights[c], Batch::load(head_on[c] + i), constants[c]).store(ambient[c] + i);
+}
+
+void fill(const Rgb<float>& colour, Channels& channels) {
+  std::ranges::fill(channels[0], colour.r);
+  std::ranges::fill(channels[1], colour.g);
+  std::ranges::fill(channels[2], colour.b);
+}
+
+void add_parts(int size, LitSpan& lit) {
+  for (int c = 0; c < 3; ++c)
+    for (int i = 0; i < size; i += Batch::lanes)
+      (Batch::load(lit.ambient[c] + i) +
+       (Batch::load(lit.diffuse[c] + i) + Batch::load(lit.glossy[c] + i)))
+          .store(lit.colour[c] + i);
 }
 
 }  // namespace
@@ -159,26 +165,55 @@ Rgb<float> ambient_radiance(const Scene& scene, const Material& material) {
   return {float(radiance.r), float(radiance.g), float(radiance.b)};
 }
 
-void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& lit,
-           FrameStats& stats) {
+Illumination illuminate(const Frame& frame, const Draw& draw) {
+  const Camera& camera = frame.camera;
+  const Skips& skips = frame.settings.skips;
   const Material& material = draw.object->material;
   const Needs needs = material.model->needs();
-  Directions d;
-  place(frame, draw, surface, d);
-  if (needs.frame) place_tangents(draw, surface);
+  Illumination all{.ambient = ambient_radiance(frame.scene, material)};
+  all.viewer_far = camera.viewer_at_infinity || camera.projection == Projection::orthographic;
+  for (const Light& light : frame.scene.lights) {
+    LightSource source = light_source(light, material);
+    if (skips.dark_lights && black(source)) continue;
+    if (source.far && all.viewer_far)
+      source.half = far_half_way(source.to_light, far_viewer(camera));
+    all.near_lights |= !source.far;
+    all.lights.push_back(source);
+  }
+  if (!skips.unused_attributes) return all;
+  all.constant = all.lights.empty() && material.ambient_share == 0;
+  all.needs_position = all.near_lights || !all.viewer_far || needs_points(needs) || needs.frame;
+  return all;
+}
 
-  LitSpan reflection;
-  DirectionSpan in{.size = std::size_t(surface.size)};
-  const ReflectionSpan out{
-      .diffuse = {reflection.diffuse[0], reflection.diffuse[1], reflection.diffuse[2]},
-      .glossy = {reflection.glossy[0], reflection.glossy[1], reflection.glossy[2]}};
+void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& lit,
+           FrameStats& stats) {
+  const Illumination& illumination = draw.illumination;
+  const Material& material = draw.object->material;
+  const std::int64_t asked = std::int64_t(frame.scene.lights.size()) * surface.size;
+  stats.evaluations += asked;
+  stats.evaluations_skipped += asked;
+  if (illumination.constant) {
+    fill(illumination.ambient, lit.colour);
+    if (!lit.with_parts) return;
+    fill(illumination.ambient, lit.ambient);
+    for (auto* part : {&lit.diffuse, &lit.glossy}) fill({0, 0, 0}, *part);
+    return;
+  }
+
+  const Needs needs = material.model->needs();
+  Places places;
+  place(frame, draw, surface, places);
+  if (needs.frame) place_tangents(draw, surface);
+  const bool each = !illumination.viewer_far || !frame.settings.skips.far_directions;
+  ViewedSpan in{.size = std::size_t(surface.size),
+                .far_viewer = far_viewer(frame.camera),
+                .skip_dark = frame.settings.skips.dark_lights};
   for (int c = 0; c < 3; ++c) {
     in.normal[c] = surface.normal[c];
-    in.to_light[c] = d.to_light[c];
-    in.to_viewer[c] = d.to_viewer[c];
+    in.position[c] = illumination.near_lights ? places.position[c] : nullptr;
+    in.to_viewer[c] = each ? places.to_viewer[c] : nullptr;
     in.tangent[c] = needs.frame ? surface.tangent[c] : nullptr;
-    std::ranges::fill(lit.diffuse[c], 0.0f);
-    std::ranges::fill(lit.glossy[c], 0.0f);
   }
 
   // What varies over the surface is the same under every light.
@@ -192,26 +227,27 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
     material.model->evaluate_parameters(points, parameters.data());
     in.parameters = parameters.data();
   }
-  ambient(frame.scene, material, in, out, lit);
 
-  for (const Light& source : frame.scene.lights) {
-    if (source.kind == LightKind::directional)
-      directional(source, surface, d);
-    else
-      positional(source, surface, d);
-    material.model->evaluate(in, out);
-    // Form 1: the light tints both parts. Form 2: the object colours the diffuse part, the light
-    // the glossy one.
-    const bool plastic = material.form == ColourForm::plastic;
-    accumulate(surface, d, reflection, plastic ? material.object_colour : source.colour,
-               source.colour, lit);
-    stats.evaluations += surface.size;
-    ++stats.spans;
+  const bool share = material.ambient_share != 0, parts = lit.with_parts || share;
+  RadianceSpan out{.ambient = illumination.ambient};
+  for (int c = 0; c < 3; ++c) {
+    out.diffuse[c] = parts ? lit.diffuse[c] : nullptr;
+    out.glossy[c] = parts ? lit.glossy[c] : nullptr;
+    out.colour[c] = share ? nullptr : lit.colour[c];
+  }
+  const auto evaluations = material.model->radiance(in, illumination.lights, out);
+  stats.evaluations_skipped -= std::int64_t(evaluations);
+  stats.spans += std::int64_t(illumination.lights.size());
+  if (share) {
+    add_share(frame, material, in, illumination.ambient, lit.ambient);
+    add_parts(surface.size, lit);
+  } else if (lit.with_parts) {
+    fill(illumination.ambient, lit.ambient);
   }
 }
 
 void place_normals(const Frame& frame, const Draw& draw, SurfaceSpan& surface) {
-  Directions unused;
+  Places unused;
   place(frame, draw, surface, unused);
 }
 

@@ -6,13 +6,18 @@
 
 namespace scanlit {
 
-/// What the lights make of them: linear radiance. Not initialised: clearing it would cost as much
-/// as a light.
+/// What the lights make of them: linear radiance, and its parts only where they are asked for. Not
+/// initialised: clearing it would cost as much as a light.
 struct LitSpan {
+  bool with_parts = true;
+  float colour[3][SurfaceSpan::padded];
   float ambient[3][SurfaceSpan::padded];
   float diffuse[3][SurfaceSpan::padded];
   float glossy[3][SurfaceSpan::padded];
 };
+
+/// What is the same at all points of an object.
+Illumination illuminate(const Frame& frame, const Draw& draw);
 
 /// Ka Ia in the material's colour form: the ambient term, where no share of the model is added.
 Rgb<float> ambient_radiance(const Scene& scene, const Material& material);

@@ -102,6 +102,7 @@ struct Draw {
   glm::mat3 normal_from_object;  // world normal = this * object normal, not yet unit
   bool draw_back_faces;
   bool mirrored;  // the transform reverses orientation
+  Illumination illumination{};
 };
 
 // -------------------------------------------------------------------------------------- (4) clip
@@ -267,9 +268,9 @@ struct FragmentSpan {
   const Draw* draw = nullptr;
   int size = 0, run_count = 0;
   Run runs[capacity];
-  std::uint32_t pixel[capacity];  // y * width + x
-  float weight[capacity];         // share of the pixel's samples, 0..1
-  float b1[padded], b2[padded];   // barycentric coordinates in the mesh's triangle
+  std::uint32_t pixel[padded];   // y * width + x
+  float weight[padded];          // share of the pixel's samples, 0..1
+  float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle
   // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.
   bool with_derivatives = false;
   struct Derivatives {

@@ -8,8 +8,9 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 
-#include "rasterizer/vec.h"
+#include "rasterizer/light_source.h"
 
 namespace scanlit {
 
@@ -76,6 +77,28 @@ struct ReflectionSpan {
   float* glossy[3] = {};
 };
 
+/// A span's points as the viewer sees them, world space; arrays as in PointSpan, `size` at most
+/// FragmentSpan::capacity.
+struct ViewedSpan {
+  std::size_t size = 0;
+  const float* normal[3] = {};     // unit
+  const float* position[3] = {};   // only if some light is not far
+  const float* to_viewer[3] = {};  // unit; null where the viewer is infinitely far:
+  Vec3<float> far_viewer{};        // the direction to it, then
+  const float* tangent[3] = {};    // as in DirectionSpan, as all that follows
+  const PointSpan* points = nullptr;
+  const float* const* parameters = nullptr;
+  bool skip_dark = true;  // points that a light does not reach
+};
+
+/// Where a span's radiance goes; written as ReflectionSpan. What is null is not wanted.
+struct RadianceSpan {
+  float* diffuse[3] = {};
+  float* glossy[3] = {};
+  float* colour[3] = {};  // ambient + (diffuse + glossy)
+  Rgb<float> ambient{};
+};
+
 class ReflectionModel {
  public:
   virtual ~ReflectionModel() = default;
@@ -89,6 +112,12 @@ class ReflectionModel {
   /// A whole span in one call, in vector arithmetic. Light below the horizon gives 0. A viewer
   /// below it is taken for one just above (min_n_v): the span's points are visible.
   virtual void evaluate(const DirectionSpan& in, const ReflectionSpan& out) const = 0;
+
+  /// What a span sends to the viewer: evaluate(), weighted by each light and summed. Returns at how
+  /// many (point, light) pairs the model was evaluated. A model need not override it; FormulaModel
+  /// does, because sums that stay in registers cost half the time.
+  virtual std::size_t radiance(const ViewedSpan& in, std::span<const LightSource> lights,
+                               const RadianceSpan& out) const;
 
   /// A single query: l towards the light, v towards the viewer, unit, in the shading frame (x
   /// tangent, y bitangent, z normal). 0 where light or viewer is at or below the horizon.

@@ -137,7 +137,8 @@ void add(const FrameStats& part, FrameStats& sum) {
   for (const auto member :
        {&FrameStats::triangles, &FrameStats::outside, &FrameStats::back_facing,
         &FrameStats::no_pixel, &FrameStats::drawn, &FrameStats::clipped, &FrameStats::fragments,
-        &FrameStats::covered_pixels, &FrameStats::evaluations, &FrameStats::spans})
+        &FrameStats::covered_pixels, &FrameStats::evaluations, &FrameStats::evaluations_skipped,
+        &FrameStats::spans})
     sum.*member += part.*member;
   for (std::size_t i = 0; i < sum.seconds.size(); ++i) sum.seconds[i] += part.seconds[i];
 }
@@ -147,7 +148,8 @@ FrameStats run_stages(Frame& frame, Framebuffer& framebuffer) {
   FrameStats total;
   std::size_t vertex_count = 0, triangle_count = 0;
   const bool parts = !framebuffer.ambient.empty();
-  for (const Draw& draw : frame.draws) {
+  for (Draw& draw : frame.draws) {
+    draw.illumination = illuminate(frame, draw);
     vertex_count += draw.mesh->positions.size();
     triangle_count += draw.mesh->triangle_count();
     frame.lit_sites.push_back(make_sites(draw, parts));

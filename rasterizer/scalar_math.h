@@ -24,6 +24,10 @@ inline double max(double a, double b) { return a > b ? a : b; }
 inline float max(float a, float b) { return a > b ? a : b; }
 inline double mul_add(double a, double b, double c) { return a * b + c; }
 inline float mul_add(float a, float b, float c) { return a * b + c; }
+inline double reciprocal(double x) { return 1 / x; }
+inline float reciprocal(float x) { return 1 / x; }
+inline double inverse_sqrt(double x) { return 1 / sqrt(x); }
+inline float inverse_sqrt(float x) { return 1 / sqrt(x); }
 inline double log_sum(double x, double low) { return log(x) + low / x; }
 inline float log_sum(float x, float low) { return log(x) + low / x; }
 // x is clamped to [-1, 1]: see batch_trigonometry.h.

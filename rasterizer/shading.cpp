@@ -1,5 +1,8 @@
 #include "rasterizer/shading.h"
 
+#include <algorithm>
+#include <cstring>
+
 #include "rasterizer/batch.h"
 #include "rasterizer/scalar_math.h"
 
@@ -23,6 +26,26 @@ void store_site(const LitSpan& lit, int i, bool clamped, LitSites& sites, std::s
     value[LitSites::ambient + c] = ambient;
     value[LitSites::diffuse + c] = diffuse;
     value[LitSites::glossy + c] = glossy;
+  }
+}
+
+/// Whether a whole vector of the span's fragments lies side by side in the picture.
+bool consecutive(const FragmentSpan& span, int first) {
+  const PixelEncoder::Tag tag;
+  const auto pixels = hn::LoadU(tag, span.pixel + first);
+  const auto expected = hn::Iota(tag, span.pixel[first]);
+  return first + Batch::lanes <= span.size && hn::AllTrue(tag, hn::Eq(pixels, expected));
+}
+
+/// A fragment's share of its pixel; one of weight 1 replaces what was there.
+void add(float weight, float value, float& sum) { sum = weight < 1 ? sum + weight * value : value; }
+
+/// Into a plane of three channels.
+void add_to(std::vector<float>& plane, const FragmentSpan& span,
+            const float (&values)[3][SurfaceSpan::padded]) {
+  for (int i = 0; i < span.size; ++i) {
+    float* const pixel = &plane[3 * std::size_t(span.pixel[i])];
+    for (int c = 0; c < 3; ++c) add(span.weight[i], values[c][i], pixel[c]);
   }
 }
 
@@ -62,26 +85,29 @@ void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::s
 
 // ------------------------------------------------- the one place where the three shadings differ
 
-void SpanShader::shade(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer) {
+void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const ColourTarget& target,
+                       Framebuffer& framebuffer) {
   const bool parts = !framebuffer.ambient.empty();
   switch (span.draw->object->shading) {
     case Shading::flat: flat(frame, span, parts); break;        // evaluated once per face
     case Shading::gouraud: gouraud(frame, span, parts); break;  // at vertices; colour interpolated
-    case Shading::phong: phong(frame, span); break;             // normal interpolated; per fragment
+    case Shading::phong: phong(frame, span, parts); break;      // normal interpolated; per fragment
   }
   stats.fragments += span.size;
-  write(span, framebuffer);
+  write(span, target);
+  if (parts) {
+    add_to(framebuffer.ambient, span, lit_.ambient);
+    add_to(framebuffer.diffuse, span, lit_.diffuse);
+    add_to(framebuffer.glossy, span, lit_.glossy);
+  }
   if (!framebuffer.normal.empty()) write_normals(frame, span, framebuffer);
 }
 
-void SpanShader::phong(const Frame& frame, const FragmentSpan& span) {
-  interpolate_surface(span, surface_);
+void SpanShader::phong(const Frame& frame, const FragmentSpan& span, bool parts) {
+  if (!span.draw->illumination.constant) interpolate_surface(span, surface_);
+  surface_.size = span.size;
+  lit_.with_parts = parts;
   light(frame, *span.draw, surface_, lit_, stats);
-  for (int c = 0; c < 3; ++c)
-    for (int i = 0; i < span.size; i += Batch::lanes)
-      (Batch::load(lit_.ambient[c] + i) +
-       (Batch::load(lit_.diffuse[c] + i) + Batch::load(lit_.glossy[c] + i)))
-          .store(colour_[c] + i);
 }
 
 void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool parts) {
@@ -97,7 +123,7 @@ void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool part
       interpolate(span, run, {corner[0] + c, corner[1] + c, corner[2] + c}, 1, out);
     };
     for (int c = 0; c < 3; ++c) {
-      channel(LitSites::colour + c, colour_[c]);
+      channel(LitSites::colour + c, lit_.colour[c]);
       if (!parts) continue;
       channel(LitSites::ambient + c, lit_.ambient[c]);
       channel(LitSites::diffuse + c, lit_.diffuse[c]);
@@ -112,7 +138,7 @@ void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) 
     const Run& run = span.runs[r];
     const float* value = &sites.values[run.triangle * std::size_t(sites.channels)];
     for (int c = 0; c < 3; ++c) {
-      std::fill_n(colour_[c] + run.first, run.size, value[LitSites::colour + c]);
+      std::fill_n(lit_.colour[c] + run.first, run.size, value[LitSites::colour + c]);
       if (!parts) continue;
       std::fill_n(lit_.ambient[c] + run.first, run.size, value[LitSites::ambient + c]);
       std::fill_n(lit_.diffuse[c] + run.first, run.size, value[LitSites::diffuse + c]);
@@ -123,28 +149,54 @@ void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) 
 
 // -------------------------------------------------------------------------------------------------
 
-void SpanShader::write(const FragmentSpan& span, Framebuffer& framebuffer) const {
-  for (int i = 0; i < span.size; ++i) {
-    const float weight = span.weight[i];
-    float* pixel = &framebuffer.colour[4 * std::size_t(span.pixel[i])];
-    for (int c = 0; c < 3; ++c) pixel[c] += weight * colour_[c][i];
-    pixel[3] += weight;
-  }
-  if (framebuffer.ambient.empty()) return;
-  for (int i = 0; i < span.size; ++i) {
-    const std::size_t pixel = 3 * std::size_t(span.pixel[i]);
-    for (std::size_t c = 0; c < 3; ++c) {
-      framebuffer.ambient[pixel + c] += span.weight[i] * lit_.ambient[c][i];
-      framebuffer.diffuse[pixel + c] += span.weight[i] * lit_.diffuse[c][i];
-      framebuffer.glossy[pixel + c] += span.weight[i] * lit_.glossy[c][i];
+void SpanShader::write(const FragmentSpan& span, const ColourTarget& target) const {
+  if (target.codes) return write_codes(span, target);
+  float* const plane = target.linear - 4 * target.first_pixel;
+  const Batch one(1);
+  for (int i = 0; i < span.size; i += Batch::lanes) {
+    const auto partial = Batch::load(span.weight + i) < one;
+    if (!consecutive(span, i) || !none(partial)) {
+      write_linear(span, i, std::min(Batch::lanes, span.size - i), plane);
+      continue;
     }
+    const auto channel = [&](int c) { return Batch::load(lit_.colour[c] + i).raw; };
+    hn::StoreInterleaved4(channel(0), channel(1), channel(2), one.raw, Batch::tag,
+                          plane + 4 * std::size_t(span.pixel[i]));
+  }
+}
+
+void SpanShader::write_linear(const FragmentSpan& span, int first, int count, float* rgba) const {
+  for (int i = first; i < first + count; ++i) {
+    const float weight = span.weight[i];
+    float* pixel = rgba + 4 * std::size_t(span.pixel[i]);
+    for (int c = 0; c < 3; ++c) add(weight, lit_.colour[c][i], pixel[c]);
+    add(weight, 1, pixel[3]);
+  }
+}
+
+void SpanShader::write_codes(const FragmentSpan& span, const ColourTarget& target) const {
+  const PixelEncoder encoder(target.format);
+  const PixelEncoder::Tag tag;
+  for (int i = 0; i < span.size; i += Batch::lanes) {
+    const auto channel = [&](int c) { return Batch::load(lit_.colour[c] + i); };
+    std::uint32_t pixels[Batch::lanes];
+    hn::StoreU(encoder.opaque(channel(0), channel(1), channel(2)), tag, pixels);
+    const auto at = [&](int k) {
+      return target.codes + 4 * (std::size_t(span.pixel[k]) - target.first_pixel);
+    };
+    if (consecutive(span, i)) {
+      std::memcpy(at(i), pixels, sizeof pixels);
+      continue;
+    }
+    for (int k = i; k < std::min(i + Batch::lanes, span.size); ++k)
+      std::memcpy(at(k), pixels + (k - i), 4);
   }
 }
 
 void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
                                Framebuffer& framebuffer) {
   const Shading shading = span.draw->object->shading;
-  if (shading != Shading::phong) {  // which has them already
+  if (shading != Shading::phong || span.draw->illumination.constant) {  // Phong has them already
     interpolate_surface(span, surface_);
     for (int r = 0; r < span.run_count && shading == Shading::flat; ++r) {
       const Run& run = span.runs[r];
@@ -154,10 +206,7 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
     }
     place_normals(frame, *span.draw, surface_);
   }
-  for (int i = 0; i < span.size; ++i)
-    for (int c = 0; c < 3; ++c)
-      framebuffer.normal[3 * std::size_t(span.pixel[i]) + std::size_t(c)] +=
-          span.weight[i] * surface_.normal[c][i];
+  add_to(framebuffer.normal, span, surface_.normal);
 }
 
 }  // namespace scanlit

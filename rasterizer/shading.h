@@ -2,6 +2,7 @@
 #pragma once
 
 #include "rasterizer/lighting.h"
+#include "rasterizer/pixel_codes.h"
 
 namespace scanlit {
 
@@ -12,24 +13,27 @@ LitSites make_sites(const Draw& draw, bool parts);
 void light_sites(const Frame& frame, const Draw& draw, std::size_t begin, std::size_t end,
                  LitSites& sites, FrameStats& stats);
 
-/// Colours a span of fragments and adds it, weighted by coverage, to the framebuffer. Not copied,
-/// and one a thread: it holds the arrays that all its spans are shaded in.
+/// Colours a span of fragments and adds it, weighted by coverage, to the colour target and to the
+/// framebuffer's planes. A fragment of weight 1 is its pixel's only one, and replaces what was
+/// there. Not copied, and one a thread: it holds the arrays that all its spans are shaded in.
 class SpanShader {
  public:
-  void shade(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer);
+  void shade(const Frame& frame, const FragmentSpan& span, const ColourTarget& target,
+             Framebuffer& framebuffer);
 
   FrameStats stats;
 
  private:
   void flat(const Frame& frame, const FragmentSpan& span, bool parts);
   void gouraud(const Frame& frame, const FragmentSpan& span, bool parts);
-  void phong(const Frame& frame, const FragmentSpan& span);
-  void write(const FragmentSpan& span, Framebuffer& framebuffer) const;
+  void phong(const Frame& frame, const FragmentSpan& span, bool parts);
+  void write(const FragmentSpan& span, const ColourTarget& target) const;
+  void write_linear(const FragmentSpan& span, int first, int count, float* rgba) const;
+  void write_codes(const FragmentSpan& span, const ColourTarget& target) const;
   void write_normals(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer);
 
   SurfaceSpan surface_;
-  LitSpan lit_;  // parts; of flat and Gouraud, only where asked for
-  float colour_[3][SurfaceSpan::padded] = {};
+  LitSpan lit_;
 };
 
 }  // namespace scanlit

@@ -3,9 +3,8 @@
 
 #include <glm/mat3x3.hpp>
 
-#include "rasterizer/batch.h"
+#include "rasterizer/batch_vec.h"
 #include "rasterizer/pipeline.h"
-#include "rasterizer/vec.h"
 
 namespace scanlit {
 
@@ -18,15 +17,6 @@ inline Vec3<Batch> load(const Vec3Array& a, int i) {
 
 inline void store(const Vec3<Batch>& v, Vec3Array& a, int i) {
   v.x.store(a[0] + i), v.y.store(a[1] + i), v.z.store(a[2] + i);
-}
-
-template <class V>
-Vec3<Batch> broadcast(const V& v) {
-  return {Batch(float(v.x)), Batch(float(v.y)), Batch(float(v.z))};
-}
-
-inline Vec3<Batch> select(Batch::Mask m, const Vec3<Batch>& a, const Vec3<Batch>& b) {
-  return {select(m, a.x, b.x), select(m, a.y, b.y), select(m, a.z, b.z)};
 }
 
 inline Vec3<Batch> transform(const glm::mat3& m, const Vec3<Batch>& v) {

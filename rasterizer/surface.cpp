@@ -113,7 +113,7 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
         interpolate(span, run, {&values[v[0]][c], &values[v[1]][c], &values[v[2]][c]}, sign,
                     out[c]);
     };
-    attribute(mesh.positions, 1, surface.position);
+    if (span.draw->illumination.needs_position) attribute(mesh.positions, 1, surface.position);
     attribute(mesh.normals, run.back_facing ? -1.0f : 1.0f, surface.normal);
     if (tangents) attribute(mesh.tangents, 1, surface.tangent);
     if (!points) continue;

@@ -49,7 +49,7 @@ void put_site(const Draw& draw, const LitSites& sites, std::size_t site, int i,
 void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
                  float sign, float* out);
 
-/// Every fragment of the span becomes a point.
+/// Every fragment of the span becomes a point, with what its object's Illumination needs.
 void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface);
 
 }  // namespace scanlit

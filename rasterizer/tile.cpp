@@ -40,12 +40,44 @@ void for_each_row(const Rect& r, const Framebuffer& framebuffer, std::vector<Ele
   }
 }
 
-void clear(const Rect& r, Framebuffer& f) {
+/// Where the tile's fragments go: codes at once where each pixel has one fragment; else sums, which
+/// are the framebuffer's own or become codes at the end.
+ColourTarget colour_target(const Frame& frame, const Rect& r, Worker& worker, Framebuffer& f) {
+  if (f.format == ColourFormat::linear_float) return {.linear = f.colour.data()};
+  if (frame.settings.samples == 1) return {.codes = f.rgba8.data(), .format = f.format};
+  const auto width = std::size_t(f.width);
+  worker.colours.resize(4 * width * std::size_t(r.y_end - r.y_begin));
+  return {.linear = worker.colours.data(),
+          .first_pixel = width * std::size_t(r.y_begin),
+          .format = f.format};
+}
+
+/// use(floats) for each row of the tile in a target of sums.
+template <class Use>
+void for_each_sum(const Rect& r, const Framebuffer& f, const ColourTarget& target, const Use& use) {
+  for (int y = r.y_begin; y < r.y_end && target.linear; ++y) {
+    const std::size_t pixel = std::size_t(y) * std::size_t(f.width) + std::size_t(r.x_begin);
+    use(std::span(target.linear + 4 * (pixel - target.first_pixel),
+                  4 * std::size_t(r.x_end - r.x_begin)),
+        pixel);
+  }
+}
+
+void clear(const Rect& r, const ColourTarget& target, const Rgb<double>& background,
+           Framebuffer& f) {
   const auto fill = [&](auto& plane, std::size_t channels, auto value) {
     for_each_row(r, f, plane, channels,
                  [&](auto row) { std::fill(row.begin(), row.end(), value); });
   };
-  fill(f.colour, 4, 0.0f);
+  for_each_sum(r, f, target, [](auto row, std::size_t) { std::ranges::fill(row, 0.0f); });
+  if (target.codes) {
+    const float pixel[] = {float(background.r), float(background.g), float(background.b), 0};
+    std::uint8_t codes[4];
+    PixelEncoder(f.format).row(pixel, codes);
+    for_each_row(r, f, f.rgba8, 4, [&](std::span<std::uint8_t> row) {
+      for (std::size_t i = 0; i < row.size(); i += 4) std::copy_n(codes, 4, &row[i]);
+    });
+  }
   fill(f.depth, 1, 0.0f);
   fill(f.normal, 3, 0.0f);
   fill(f.object_id, 1, no_id);
@@ -53,13 +85,15 @@ void clear(const Rect& r, Framebuffer& f) {
   for (auto* part : {&f.ambient, &f.diffuse, &f.glossy}) fill(*part, 3, 0.0f);
 }
 
-/// Puts the background behind what is covered in part or not at all.
-void add_background(const Rgb<double>& background, const Rect& r, Framebuffer& framebuffer) {
-  if (background == Rgb<double>(0.0)) return;
+/// Puts the background behind what is covered in part or not at all, and turns sums into codes.
+void finish(const Rgb<double>& background, const Rect& r, const ColourTarget& target,
+            Framebuffer& f) {
   const float channels[3] = {float(background.r), float(background.g), float(background.b)};
-  for_each_row(r, framebuffer, framebuffer.colour, 4, [&](std::span<float> row) {
-    for (std::size_t i = 0; i < row.size(); i += 4)
+  for_each_sum(r, f, target, [&](std::span<float> row, std::size_t first_pixel) {
+    for (std::size_t i = 0; i < row.size() && background != Rgb<double>(0.0); i += 4)
       for (std::size_t c = 0; c < 3; ++c) row[i + c] += (1 - row[i + 3]) * channels[c];
+    if (f.format != ColourFormat::linear_float)
+      PixelEncoder(f.format).row(row, &f.rgba8[4 * first_pixel]);
   });
 }
 
@@ -68,9 +102,10 @@ void add_background(const Rgb<double>& background, const Rect& r, Framebuffer& f
 void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& framebuffer) {
   FrameStats& stats = worker.shader.stats;
   const Rect rect = frame.grid.tile(tile);
+  const ColourTarget target = colour_target(frame, rect, worker, framebuffer);
   {
     const StageTimer timer(stats, Stage::scan_conversion);
-    clear(rect, framebuffer);
+    clear(rect, target, frame.scene.background, framebuffer);
     worker.visibility.reset(rect, frame.settings.samples);
     scan_convert(frame, tile, worker.visibility);
   }
@@ -79,11 +114,11 @@ void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& frameb
     const StageTimer timer(stats, Stage::resolve);
     const auto shade = [&](const FragmentSpan& span) {
       const StageTimer shading_timer(stats, Stage::shading);
-      worker.shader.shade(frame, span, framebuffer);
+      worker.shader.shade(frame, span, target, framebuffer);
     };
     stats.covered_pixels += Resolver(frame, worker.visibility, worker.collector, shade).run();
     write_visibility(frame, worker.visibility, framebuffer);
-    add_background(frame.scene.background, rect, framebuffer);
+    finish(frame.scene.background, rect, target, framebuffer);
   }
   // Spans are shaded while resolving: that time is not resolving's.
   stats.seconds[std::size_t(Stage::resolve)] -=

@@ -12,6 +12,8 @@ struct Worker {
   VisibilityTile visibility;
   SpanCollector collector;
   SpanShader shader;
+  std::vector<float>
+      colours;  // RGBA, where an 8-bit framebuffer cannot hold what is to be added up
 };
 
 /// Scan-converts, resolves and shades a tile, into its own part of the framebuffer, which is

@@ -21,7 +21,6 @@ struct StageTimes {
       other -= stats.seconds[std::size_t(s)];
     }
     ms["other"].push_back(1e3 * other);
-    ms["to rgba8"].push_back(1e3 * threads * scanlit.conversion_seconds());
   }
 };
 

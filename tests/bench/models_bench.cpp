@@ -44,6 +44,7 @@ struct Setup {
     scene.objects[0].material.model = models::make(model).model;
     draw.object = &scene.objects[0];
     draw.normal_from_object = glm::mat3(1);
+    draw.illumination = illuminate(frame, draw);
     for (int c = 0; c < 3; ++c) std::fill_n(to_light[c], SurfaceSpan::padded, std::sqrt(1 / 3.0f));
     std::mt19937 random(1);
     for (int s = 0; s < span_count; ++s) fill(s, random);

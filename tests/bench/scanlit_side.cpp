@@ -1,15 +1,10 @@
 #include "scanlit_side.h"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-
 #include <algorithm>
 #include <cstdio>
 #include <numbers>
 
 #include "models/registry.h"
-#include "rasterizer/batch.h"
-#include "timing.h"
 
 namespace scanlit::bench {
 
@@ -38,30 +33,6 @@ std::vector<Light> lights(const BenchScene& scene) {
 }
 
 }  // namespace
-
-void to_rgba8(const Framebuffer& framebuffer, int threads, std::uint8_t* rgba) {
-  // Powers of two, so that a piece is whole vectors but for the picture's last one.
-  const std::size_t count = framebuffer.colour.size(), piece = 1 << 17;
-  const auto lanes = std::size_t(Batch::lanes);
-  const hn::Rebind<std::uint8_t, Batch::Tag> bytes;
-  const auto convert = [&](const float* values) {
-    return hn::DemoteTo(bytes, hn::NearestInt((Batch::load(values) * 255.0f).raw));  // saturates
-  };
-  tbb::task_arena arena(threads);
-  arena.execute([&] {
-    tbb::parallel_for(std::size_t(0), (count + piece - 1) / piece, [&](std::size_t k) {
-      const float* const values = framebuffer.colour.data();
-      const std::size_t end = std::min(count, (k + 1) * piece), whole = end / lanes * lanes;
-      for (std::size_t i = k * piece; i < whole; i += lanes)
-        hn::StoreU(convert(values + i), bytes, rgba + i);
-      float rest[Batch::lanes] = {};
-      std::uint8_t codes[Batch::lanes];
-      std::copy(values + whole, values + end, rest);
-      hn::StoreU(convert(rest), bytes, codes);
-      std::copy_n(codes, end - whole, rgba + whole);
-    });
-  });
-}
 
 ScanlitSide::ScanlitSide(int threads) {
   settings_.threads = threads;
@@ -126,9 +97,6 @@ void ScanlitSide::prepare(const BenchScene& scene, bool reuse) {
 void ScanlitSide::draw(const BenchScene& scene, int frame) {
   pose(scene, frame, scene_, camera_);
   stats_ = renderer_.render(scene_, camera_, settings_, framebuffer_);
-  const auto start = Clock::now();
-  to_rgba8(framebuffer_, settings_.threads, picture_.data());
-  conversion_seconds_ = ms_since(start) / 1e3;
 }
 
 }  // namespace scanlit::bench

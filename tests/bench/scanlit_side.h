@@ -8,12 +8,8 @@
 
 namespace scanlit::bench {
 
-/// Linear light, clamped to [0, 1] and rounded to 8 bits, in parallel. rgba has room for the
-/// framebuffer's pixels, 4 bytes each.
-void to_rgba8(const Framebuffer& framebuffer, int threads, std::uint8_t* rgba);
-
 /// What a bench's frame is drawn into.
-constexpr Planes picture_planes{};
+constexpr Planes picture_planes{.format = ColourFormat::linear_8bit};
 
 /// point_lights(count) of the scenes' definition.
 std::vector<Light> scanlit_lights(int count);
@@ -33,11 +29,9 @@ class ScanlitSide {
   /// Returns when the pixels are in picture().
   void draw(const BenchScene& scene, int frame);
 
-  const Picture& picture() const { return picture_; }
+  const Picture& picture() const { return framebuffer_.rgba8; }
   /// Of the last frame: its stages, in seconds summed over the threads.
   const FrameStats& stats() const { return stats_; }
-  /// Of the last frame: to_rgba8(), by the clock.
-  double conversion_seconds() const { return conversion_seconds_; }
 
  private:
   RenderSettings settings_;
@@ -45,9 +39,7 @@ class ScanlitSide {
   Scene scene_;
   Camera camera_;
   Framebuffer framebuffer_{picture_width, picture_height, picture_planes};
-  Picture picture_ = Picture(4 * framebuffer_.pixel_count());
   FrameStats stats_;
-  double conversion_seconds_ = 0;
 };
 
 }  // namespace scanlit::bench

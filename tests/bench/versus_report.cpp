@@ -15,7 +15,7 @@ const std::vector<std::string>& stage_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> all;
     for (int s = 0; s < int(Stage::count); ++s) all.emplace_back(name(Stage(s)));
-    all.insert(all.end(), {"other", "to rgba8"});
+    all.push_back("other");
     return all;
   }();
   return names;

@@ -43,6 +43,7 @@ struct Studio {
     Draw draw{};
     draw.object = &scene.objects[0];
     draw.normal_from_object = glm::mat3(1);
+    draw.illumination = illuminate(frame, draw);
     SurfaceSpan surface;
     surface.size = int(points.size());
     for (int i = 0; i < surface.size; ++i)
