@@ -1,16 +1,15 @@
 #include "rasterizer/image.h"
 
-#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <span>
 
 #include "rasterizer/error.h"
+#include "rasterizer/image/checked_stream.h"
 #include "rasterizer/image/image_encoding.h"
 #include "rasterizer/image/image_planes.h"
 #include "rasterizer/image/output_file.h"
@@ -43,32 +42,6 @@ const Format& format_of(const std::filesystem::path& file) {
                                              : "unknown image format '" + suffix + "'") +
                                  "; there are: " + known);
 }
-
-// What the plug-ins of OpenImageIO write through. Some report success on a full disk, so the first
-// failure is noted here, with its reason. Its type is not "file", for then the JPEG plug-in would
-// hand the FILE itself to libjpeg, which ends the whole program when a write fails.
-class CheckedStream final : public OIIO::Filesystem::IOFile {
- public:
-  explicit CheckedStream(std::FILE* file) : IOFile(file, Write) {}
-  const char* proxytype() const override { return "checked"; }
-  bool seek(std::int64_t offset) override {  // writes what is buffered
-    return checked(IOFile::seek(offset), true);
-  }
-  std::size_t write(const void* bytes, std::size_t size) override {
-    return checked(IOFile::write(bytes, size), size);
-  }
-  std::size_t pwrite(const void* bytes, std::size_t size, std::int64_t offset) override {
-    return checked(IOFile::pwrite(bytes, size, offset), size);
-  }
-  int write_errno() const { return write_errno_; }
-
- private:
-  std::size_t checked(std::size_t written, std::size_t size) {
-    if (written < size && write_errno_ == 0) write_errno_ = errno != 0 ? errno : EIO;
-    return written;
-  }
-  int write_errno_ = 0;
-};
 
 // Rows from top to bottom into a file that appears when all of them are there.
 class ScanlineWriter {

@@ -47,10 +47,8 @@ std::size_t ReflectionModel::radiance(const ViewedSpan& in, std::span<const Ligh
       const Vec3<Batch> position = light.far ? Vec3<Batch>{} : load_vec3(in.position, i);
       const ArrivingLight arrives = arriving(light, position, n);
       to_light.store(arrives.to_light, i);
-      const auto lit = dot(n, arrives.to_light) > Batch(0);
-      const Batch reaching = select(lit, arrives.share, Batch(0));
-      reaching.store(share + i);
-      dark &= none(reaching > Batch(0));
+      arrives.share.store(share + i);
+      dark &= none((dot(n, arrives.to_light) > Batch(0)) & (arrives.share > Batch(0)));
     }
     if (in.skip_dark && dark) continue;
     evaluate(directions, reflection);

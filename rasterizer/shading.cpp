@@ -71,6 +71,7 @@ void light_sites(const Frame& frame, const Draw& draw, LitSites& lit_sites, Fram
 
 void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const ColourTarget& target,
                        Framebuffer& framebuffer) {
+  if (span.size == 0) return;
   const bool parts = !framebuffer.ambient.empty();
   switch (span.draw->object->shading) {
     case Shading::flat: flat(frame, span, parts); break;        // evaluated once per face

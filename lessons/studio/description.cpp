@@ -4,8 +4,6 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <map>
-#include <tuple>
 
 #include "lessons/studio/framing.h"
 #include "lessons/studio/text.h"
@@ -94,14 +92,17 @@ Description describe_object(const std::string& mesh) {
 }
 
 Scene make_scene(const Description& description) {
+  Meshes meshes;
+  return make_scene(description, meshes);
+}
+
+Scene make_scene(const Description& description, Meshes& meshes) {
   Scene scene;
   scene.ambient = description.ambient_colour * description.ambient_intensity;
   scene.background = description.background;
 
-  using Source = std::tuple<std::filesystem::path, NormalWeight, double>;
-  std::map<Source, std::shared_ptr<const Mesh>> meshes;
   for (const ObjectDescription& from : description.objects) {
-    const Source source{
+    const Meshes::key_type source{
         is_shape(from.mesh) ? std::filesystem::path(from.mesh) : from.folder / from.mesh,
         from.mesh_options.normal_weight, from.mesh_options.crease_deg.value_or(-1)};
     std::shared_ptr<const Mesh>& mesh = meshes[source];

@@ -4,8 +4,11 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "models/registry.h"
@@ -30,6 +33,8 @@ struct View {
   std::optional<double> height;  // orthographic; default: everything fits
   std::optional<double> near, far;
   bool viewer_at_infinity = false;
+
+  friend bool operator==(const View&, const View&) = default;
 };
 
 /// A material whose ambient reflectance may be left to its model.
@@ -81,8 +86,13 @@ constexpr const char* default_model = "blinn-phong:kd=.5/.47/.42,ks=.4,n=60";
 /// One mesh or shape with the default material, seen from the default view.
 Description describe_object(const std::string& mesh);
 
+/// Meshes by file or shape and by how their normals are made. Those that are there are not loaded.
+using Meshes =
+    std::map<std::tuple<std::filesystem::path, NormalWeight, double>, std::shared_ptr<const Mesh>>;
+
 /// Loads the meshes, each file or shape once, and puts everything in its place. Lights stay as
 /// described: see `lights`. Throws Error naming the place in the scene file.
+Scene make_scene(const Description& description, Meshes& meshes);
 Scene make_scene(const Description& description);
 
 /// Throws Error naming the field.

@@ -9,7 +9,6 @@
 #include "lessons/studio/program.h"
 #include "lessons/studio/progress_bar.h"
 #include "lessons/studio/render_options.h"
-#include "lessons/studio/scene_file.h"
 #include "lessons/studio/stats_report.h"
 #include "lessons/studio/text.h"
 #include "rasterizer/error.h"
@@ -87,7 +86,7 @@ FrameStats draw(const Scene& scene, const Camera& camera, RenderSettings setting
 }
 
 void render_picture(const RenderOptions& options) {
-  const Description description = options.describe();
+  const Description description = describe(options.input, options.given());
   const Picture& picture = description.picture;
   check_targets(options, picture);
 
@@ -99,7 +98,8 @@ void render_picture(const RenderOptions& options) {
   scene.lights = make_lights(description, camera);
 
   const bool all = !options.aov.empty();
-  Framebuffer framebuffer(picture.width, picture.height, {all, all, all, all});
+  Framebuffer framebuffer(picture.width, picture.height,
+                          {.depth = all, .normal = all, .ids = all, .parts = all});
   const FrameStats stats = draw(scene, camera, picture.settings, framebuffer);
   const HoldInterrupts until_written;
   const ImageReport image = write_image(options.output_file(), framebuffer, picture.image);

@@ -1,6 +1,5 @@
 #include "lessons/studio/render_options.h"
 
-#include "lessons/studio/scene_file.h"
 #include "lessons/studio/text.h"
 #include "rasterizer/error.h"
 #include "rasterizer/shapes.h"
@@ -162,30 +161,34 @@ const Edit all_edits[] = {
      }},
 };
 
-Description describe_input(const std::string& input) {
-  if (input.empty()) throw Error("INPUT", "the name is empty");
-  if (!is_shape(input) && std::filesystem::path(input).extension() == ".toml")
-    return read_scene_file(input);
-  return describe_object(input);
-}
-
 }  // namespace
 
-void add_render_options(CLI::App& app, RenderOptions& options) {
+void add_scene_options(CLI::App& app, SceneOptions& options) {
   app.add_option("INPUT", options.input, "mesh file, built-in shape (teapot:16) or scene (.toml)")
       ->type_name("")
       ->required();
-  app.add_option("-o,--output", options.output, "picture; its suffix is its format (INPUT.png)")
-      ->type_name("FILE");
-  app.add_option("--aov", options.aov, "an EXR with depth, normals, ids and the parts of the light")
-      ->type_name("FILE");
-  app.add_flag("--stats", options.stats, "print times and counts");
   for (const Edit& edit : all_edits) {
     CLI::Option* option =
         *edit.type ? app.add_option(edit.option)->type_name(edit.type) : app.add_flag(edit.option);
     option->description(edit.help)->group(edit.group);
     options.edits.emplace_back(&edit, option);
   }
+}
+
+void add_render_options(CLI::App& app, RenderOptions& options) {
+  app.add_option("-o,--output", options.output, "picture; its suffix is its format (INPUT.png)")
+      ->type_name("FILE");
+  app.add_option("--aov", options.aov, "an EXR with depth, normals, ids and the parts of the light")
+      ->type_name("FILE");
+  app.add_flag("--stats", options.stats, "print times and counts");
+  add_scene_options(app, options);
+}
+
+std::vector<GivenEdit> SceneOptions::given() const {
+  std::vector<GivenEdit> given;
+  for (const auto& [edit, option] : edits)
+    if (option->count() > 0) given.push_back({edit, *edit->type ? option->as<std::string>() : ""});
+  return given;
 }
 
 std::filesystem::path RenderOptions::output_file() const {
@@ -195,11 +198,17 @@ std::filesystem::path RenderOptions::output_file() const {
   return base + ".png";
 }
 
-Description RenderOptions::describe() const {
-  Description description = describe_input(input);
-  for (const auto& [edit, option] : edits)
-    if (option->count() > 0)
-      edit->apply(description, edit->option, *edit->type ? option->as<std::string>() : "");
+bool is_scene(const std::string& input) {
+  return !is_shape(input) && std::filesystem::path(input).extension() == ".toml";
+}
+
+Description describe(const std::string& input, std::span<const GivenEdit> edits,
+                     std::span<const SceneChange> changes) {
+  if (input.empty()) throw Error("INPUT", "the name is empty");
+  Description description =
+      is_scene(input) ? read_scene_file(input, changes) : describe_object(input);
+  for (const GivenEdit& given : edits)
+    given.edit->apply(description, given.edit->option, given.text);
   return description;
 }
 

@@ -1,12 +1,15 @@
-// The options of `scanlit render`, and what each does to the picture described.
+// The options of `scanlit render`, and what each does to the picture described. Those that say what
+// there is to see are those of `scanlit frames`, too.
 #pragma once
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "lessons/studio/description.h"
+#include "lessons/studio/scene_file.h"
 
 namespace scanlit::studio {
 
@@ -19,19 +22,36 @@ struct Edit {
   void (*apply)(Description&, const std::string& where, const std::string& text);
 };
 
-struct RenderOptions {
-  std::string input, output, aov;
-  bool stats = false;
+struct GivenEdit {
+  const Edit* edit;
+  std::string text;
+};
+
+struct SceneOptions {
+  std::string input;
   std::vector<std::pair<const Edit*, CLI::Option*>> edits;
+
+  std::vector<GivenEdit> given() const;
+};
+
+struct RenderOptions : SceneOptions {
+  std::string output, aov;
+  bool stats = false;
 
   /// Where the picture goes: `output`, else the input's name with .png, in the current folder.
   std::filesystem::path output_file() const;
-
-  /// The scene file's picture, or one of the mesh or shape, with the options given applied to it.
-  Description describe() const;
 };
 
+/// Whether the input is a scene file, and neither a mesh file nor a shape.
+bool is_scene(const std::string& input);
+
+/// The scene file's picture with the changes, or one of the mesh or shape, and then the edits.
+/// Throws Error where they do not fit.
+Description describe(const std::string& input, std::span<const GivenEdit> edits,
+                     std::span<const SceneChange> changes = {});
+
 /// `options` must outlive the parsing of the command line.
+void add_scene_options(CLI::App& app, SceneOptions& options);
 void add_render_options(CLI::App& app, RenderOptions& options);
 
 }  // namespace scanlit::studio

@@ -115,10 +115,12 @@ std::string read_text(const std::filesystem::path& file) {
 
 }  // namespace
 
-Description read_scene(std::string_view text, const std::filesystem::path& file) {
+Description read_scene(std::string_view text, const std::filesystem::path& file,
+                       std::span<const SceneChange> changes) {
   refuse_deep_keys(text, file.string());
   try {
-    const toml::table root = toml::parse(text, file.string());
+    toml::table root = toml::parse(text, file.string());
+    for (const SceneChange& change : changes) apply(change, root);
     return read_root(TomlTable(root, file.string(), "the scene"), file.parent_path());
   } catch (const toml::parse_error& error) {
     const toml::source_position at = error.source().begin;
@@ -127,8 +129,9 @@ Description read_scene(std::string_view text, const std::filesystem::path& file)
   }
 }
 
-Description read_scene_file(const std::filesystem::path& file) {
-  return read_scene(read_text(file), file);
+Description read_scene_file(const std::filesystem::path& file,
+                            std::span<const SceneChange> changes) {
+  return read_scene(read_text(file), file, changes);
 }
 
 }  // namespace scanlit::studio

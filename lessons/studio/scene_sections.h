@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lessons/studio/description.h"
+#include "lessons/studio/scene_file.h"
 #include "lessons/studio/toml_table.h"
 
 namespace scanlit::studio {
@@ -17,6 +18,9 @@ Light read_light(TomlTable table);
 MaterialDescription read_material(TomlTable table, const std::filesystem::path& folder);
 ObjectDescription read_object(TomlTable table, const Materials& materials,
                               const std::filesystem::path& folder);
+
+/// Throws Error where the path leads nowhere; whether the value may stand there, the reader says.
+void apply(const SceneChange& change, toml::table& root);
 
 /// A key that is absent leaves its default.
 template <class T>

@@ -9,6 +9,7 @@ TomlTable::TomlTable(const toml::table& table, std::string file, std::string wha
     : table_(&table), file_(std::move(file)), what_(std::move(what)) {}
 
 std::string TomlTable::place(const toml::source_region& region) const {
+  if (region.begin.line == 0) return file_;  // a change of the scene, which no line says
   return file_ + ':' + std::to_string(region.begin.line) + ':' +
          std::to_string(region.begin.column);
 }

@@ -49,11 +49,6 @@ void fill(RTCGeometry geometry, const Mesh& mesh, const glm::mat4& world_from_ob
 
 }  // namespace
 
-Hits::Hits()
-    : object(std::size_t(picture_width) * picture_height, no_id),
-      triangle(object),
-      distance(object.size()) {}
-
 EmbreePeer::EmbreePeer(int threads) : threads_(threads) {
   // The same vectors for both: Embree looks at the processor, Scanlit was built for them.
   const char* const level = Batch::lanes == 16  ? ""

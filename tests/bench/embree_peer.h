@@ -6,24 +6,15 @@
 // threads take as they come.
 #pragma once
 
-#include <cstdint>
 #include <string>
-#include <vector>
 
 #include "bench_scenes.h"
-#include "rasterizer/pipeline.h"
+#include "visibility_difference.h"
 
 struct RTCDeviceTy;
 struct RTCSceneTy;
 
 namespace scanlit::bench {
-
-/// What each pixel sees; pixel (x, y) is element y * picture_width + x.
-struct Hits {
-  std::vector<std::uint32_t> object, triangle;  // no_id: nothing
-  std::vector<float> distance;                  // along the viewing direction
-  Hits();
-};
 
 class EmbreePeer {
  public:

@@ -44,13 +44,14 @@ class Visibility {
   Scene scene_;
   Camera camera_;
   Renderer renderer_;
-  Framebuffer picture_{picture_width, picture_height, {.depth = true, .ids = true}};
+  Framebuffer picture_{
+      picture_width, picture_height, {.format = picture_planes.format, .depth = true, .ids = true}};
 };
 
 nlohmann::json compare_scene(const std::string& name, const Effort& effort, EmbreePeer& embree) {
   const BenchScene scene = make_bench_scene(name);
   Visibility scanlit(scene);
-  Hits hits;
+  Hits hits(picture_width, picture_height);
   scanlit.draw();
   embree.prepare(scene);
   const Rect rect = covered_rect(scanlit.picture());

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bench_scenes.h"
+
 namespace scanlit::bench {
 
 namespace {

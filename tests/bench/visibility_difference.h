@@ -1,10 +1,24 @@
 // Whether rasterizer and ray tracer see the same surfaces.
 #pragma once
 
-#include "embree_peer.h"
+#include <cstdint>
+#include <vector>
+
 #include "rasterizer/framebuffer.h"
+#include "rasterizer/pipeline.h"
 
 namespace scanlit::bench {
+
+/// What each pixel of a width x height picture sees; pixel (x, y) is element y * width + x.
+struct Hits {
+  std::vector<std::uint32_t> object, triangle;  // no_id: nothing
+  std::vector<float> distance;                  // along the viewing direction
+
+  Hits(int width, int height)
+      : object(std::size_t(width) * std::size_t(height), no_id),
+        triangle(object),
+        distance(object.size()) {}
+};
 
 /// The smallest rectangle that holds every covered pixel; needs ids.
 Rect covered_rect(const Framebuffer& picture);
@@ -22,7 +36,7 @@ struct VisibilityDifference {
   double max_distance = 0, mean_distance = 0;  // differences over distances, where both cover
 };
 
-/// The picture has depth and ids, and the comparison's camera.
+/// The picture has depth and ids, of a camera between near_distance and far_distance.
 VisibilityDifference compare(const Framebuffer& picture, const Hits& hits);
 
 }  // namespace scanlit::bench

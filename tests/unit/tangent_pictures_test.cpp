@@ -36,11 +36,12 @@ class ShowTangent : public ReflectionModel {
 };
 
 Picture tangents_in_picture(const std::string& shape, const Tangents& tangents, Shading shading,
-                            const RenderSettings& settings = {}) {
+                            RenderSettings settings = {}) {
   Object object = object_of(std::make_shared<Mesh>(make_shape(shape)), White(), shading);
   object.material.model = std::make_shared<ShowTangent>();
   object.material.tangents = tangents;
   object.world_from_object = glm::rotate(glm::mat4(1), 0.9f, glm::vec3(1, 0.3f, 0));
+  settings.skips.dark_lights = false;  // tangents are shown where no light falls, too
   return picture_of(scene_of({object}), Camera(), 96, 96, settings);
 }
 
