@@ -49,12 +49,14 @@ std::string chart(const std::vector<SceneResult>& results) {
 std::string table(const std::vector<SceneResult>& results) {
   std::string html =
       "<table><tr><th>scene<th>Scanlit ms<th>least<th>processor<th>llvmpipe ms<th>least"
-      "<th>processor<th>with glReadPixels<th>ratio<th>max difference<th>mean<th>covered</tr>\n";
+      "<th>processor<th>with glReadPixels<th>a memset (S0), Scanlit without reuse "
+      "(S10)<th>ratio<th>max difference<th>mean<th>covered</tr>\n";
   for (const SceneResult& r : results) {
     html += "<tr><td>" + r.scene;
     for (const FrameTime& t : {r.scanlit, r.buffer})
       html += format("<td>%.2f<td>%.2f<td>%.2f", t.median_ms, t.min_ms, t.cpu_ms);
     html += format("<td>%.2f", r.framebuffer_object.median_ms);
+    html += r.yardstick ? format("<td>%.2f", r.yardstick->median_ms) : "<td>";
     html += r.same ? format("<td>%.2f", r.ratio()) : "<td>" + r.difference;
     html += format("<td>%.0f<td>%.3f<td>%lld</tr>\n", r.max_difference, r.mean_difference,
                    static_cast<long long>(r.covered[0]));

@@ -116,7 +116,8 @@ TEST_F(ImageTest, CountsClippedPixelsWhereSomethingIsCovered) {
 }
 
 TEST_F(ImageTest, AovsComeBackToTheBit) {
-  Framebuffer original = gradient(33, 70, {true, true, true, true});
+  Framebuffer original =
+      gradient(33, 70, {.depth = true, .normal = true, .ids = true, .parts = true});
   for (std::size_t i = 0; i < original.pixel_count(); ++i) {
     original.depth[i] = 1 / float(i + 3);
     original.object_id[i] = i % 7 == 0 ? no_id : std::uint32_t(i % 5);

@@ -230,7 +230,8 @@ inline RenderSettings with_samples(int samples) {
 
 inline Picture picture_of(const Scene& scene, const Camera& camera, int width, int height,
                           const RenderSettings& settings = {}) {
-  Picture picture{Framebuffer(width, height, {true, true, true, true}), {}};
+  Picture picture{
+      Framebuffer(width, height, {.depth = true, .normal = true, .ids = true, .parts = true}), {}};
   picture.stats = render(scene, camera, settings, picture.framebuffer);
   return picture;
 }
