@@ -190,7 +190,6 @@ class Assembler {
 
   /// A counting sort by tile; in each tile the order stays.
   void sort_into_bins() {
-    chunk_.bins.clear();
     chunk_.entries.resize(placed_.size());
     if (placed_.empty()) return;
     const auto [low, high] = std::ranges::minmax_element(placed_, {}, &Placed::tile);
@@ -234,12 +233,24 @@ void assemble(const Frame& frame, Chunk& chunk, FrameStats& stats) {
   chunk.pieces.clear();
   chunk.lit.sites.clear();
   chunk.lit.corners.clear();
+  chunk.bins.clear();
   chunk.counts = {};
+  if (chunk.draw->outside) {
+    const auto& clusters = chunk.draw->clusters->clusters;
+    for (std::uint32_t i = chunk.first_cluster; i < chunk.end_cluster; ++i)
+      chunk.counts.triangles += clusters[i].triangle_count;
+    chunk.counts.outside = chunk.counts.triangles;
+    return;
+  }
   {
     const StageTimer timer(stats, Stage::assembly);
     Assembler(frame, chunk, scratch).run();
   }
-  if (chunk.draw->object->shading == Shading::phong) return;
+  light_chunk(frame, chunk, stats);
+}
+
+void light_chunk(const Frame& frame, Chunk& chunk, FrameStats& stats) {
+  if (chunk.lit.sites.empty()) return;
   const StageTimer timer(stats, Stage::light_vertices);
   light_sites(frame, *chunk.draw, chunk.lit, stats);
 }

@@ -21,6 +21,8 @@ struct Camera {
   double far = std::numeric_limits<double>::infinity();  // > near; orthographic: at most 1e18
   bool viewer_at_infinity = false;  // V is the same for every point (an orthographic viewer's
                                     // always is)
+
+  friend bool operator==(const Camera&, const Camera&) = default;
 };
 
 /// Throws Error naming the field: NaN or Inf, eye equal to target, up parallel to the viewing

@@ -103,7 +103,8 @@ struct Draw {
   glm::mat4 clip_from_object;
   glm::mat3 normal_from_object;  // world normal = this * object normal, not yet unit
   bool draw_back_faces;
-  bool mirrored;  // the transform reverses orientation
+  bool mirrored;         // the transform reverses orientation
+  bool outside = false;  // of the view, as a whole
   Illumination illumination{};
 };
 
@@ -278,6 +279,8 @@ ScreenVertex project(const ClipVertex& vertex, const Viewport& viewport);
 
 /// (3) to (6), and (9) at faces and vertices, for a chunk whose draw and clusters are set.
 void assemble(const Frame& frame, Chunk& chunk, FrameStats& stats);
+/// Of that, (9) alone.
+void light_chunk(const Frame& frame, Chunk& chunk, FrameStats& stats);
 
 // --------------------------------------------------------------------------- (7) scan conversion
 

@@ -13,7 +13,10 @@
 #include <mutex>
 
 #include "rasterizer/cluster_culling.h"
+#include "rasterizer/draw.h"
 #include "rasterizer/error.h"
+#include "rasterizer/lighting.h"
+#include "rasterizer/reuse.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/tile.h"
 
@@ -44,31 +47,6 @@ void validate(const RenderSettings& settings) {
     throw Error("threads must be 0 (all cores) to 1024, not " + std::to_string(settings.threads));
 }
 
-Draw make_draw(const Object& object, const glm::dmat4& view_projection, std::uint32_t index,
-               ClusterCache& clusters) {
-  const glm::dmat4 world_from_object(object.world_from_object);
-  const glm::dmat3 linear(world_from_object);
-  const double determinant = glm::determinant(linear);
-  // The cofactor matrix is the inverse transpose times the determinant, and exists where the
-  // inverse does not. Scaled to about 1, so that no length of a normal leaves float's range.
-  glm::dmat3 cofactor(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                      glm::cross(linear[0], linear[1]));
-  double largest = 0;
-  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(cofactor[i / 3][i % 3]));
-  if (largest > 0) cofactor *= (determinant < 0 ? -1 : 1) / largest;
-
-  const bool both =
-      object.sides == Sides::both || (object.sides == Sides::automatic && !object.mesh->closed);
-  return {.object = &object,
-          .mesh = object.mesh.get(),
-          .clusters = clusters.of(object.mesh),
-          .index = index,
-          .clip_from_object = glm::mat4(view_projection * world_from_object),
-          .normal_from_object = glm::mat3(cofactor),
-          .draw_back_faces = both,
-          .mirrored = determinant < 0};
-}
-
 /// Runs work(i) for each i below count, in parallel.
 template <class Work>
 void parallel(std::size_t count, const Work& work) {
@@ -94,53 +72,53 @@ void add(const FrameStats& part, FrameStats& sum) {
 
 }  // namespace
 
-/// What is kept from frame to frame: memory, and the clusters of the meshes.
+/// What is kept from frame to frame: memory, the clusters of meshes, and with `reuse` results.
 struct Renderer::State {
   ClusterCache clusters;
   Workers workers;
   std::vector<Draw> draws;
-  std::vector<Chunk> chunks;
+  std::vector<Chunk> chunks;  // of all objects' clusters, in order
+  LastFrame last;
+  std::vector<VisibilityTile> kept_tiles;  // only with `reuse`
   std::unique_ptr<tbb::task_arena> arena;
   std::unique_ptr<tbb::global_control> limit;
   int threads = 0;
 
-  /// More threads than cores are made only on demand.
-  void use_threads(int count) {
-    if (count == threads) return;
-    threads = count;
-    const int cores = tbb::info::default_concurrency();
-    limit.reset();
-    if (count > cores)
-      limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                    std::size_t(count));
-    arena = std::make_unique<tbb::task_arena>(count);
-  }
-
-  void make_draws(Frame& frame, FrameStats& stats);
-  FrameStats run_stages(Frame& frame, Framebuffer& framebuffer);
+  void use_threads(int count);
+  FrameStats run_stages(Frame& frame, const Changes& changes, Framebuffer& framebuffer);
+  void make_draws(Frame& frame, const Changes& changes);
+  void assemble_all(Frame& frame, const Changes& changes);
+  std::vector<Redo> find_tiles(const Frame& frame, const Changes& changes) const;
 };
 
-/// Fills draws and chunks; objects outside of the view have none.
-void Renderer::State::make_draws(Frame& frame, FrameStats& stats) {
+/// More threads than cores are made only on demand.
+void Renderer::State::use_threads(int count) {
+  if (count == threads) return;
+  threads = count;
+  limit.reset();
+  if (count > tbb::info::default_concurrency())
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  std::size_t(count));
+  arena = std::make_unique<tbb::task_arena>(count);
+}
+
+/// Also cuts all their clusters into chunks.
+void Renderer::State::make_draws(Frame& frame, const Changes& changes) {
   constexpr std::uint32_t clusters_in_chunk = 64;
   const Viewport& viewport = frame.viewport;
   const glm::dmat4 view_projection =
       clip_from_world(frame.camera, double(viewport.width) / viewport.height);
   frame.draws.clear();
-  for (const Object& object : frame.scene.objects)
-    frame.draws.push_back(
-        make_draw(object, view_projection, std::uint32_t(frame.draws.size()), clusters));
-  for (Draw& draw : frame.draws) draw.illumination = illuminate(frame, draw);
+  for (const Object& object : frame.scene.objects) {
+    const auto index = std::uint32_t(frame.draws.size());
+    frame.draws.push_back(make_draw(object, index, view_projection, clusters));
+  }
   std::uint32_t count = 0;
-  for (const Draw& draw : frame.draws) {
+  for (Draw& draw : frame.draws) {
     const MeshClusters& all = *draw.clusters;
-    if (frame.settings.skips.outside_objects &&
-        ClusterCuller(draw, viewport).view(all.bounds) == ClusterView::outside) {
-      ++stats.objects_outside;
-      stats.triangles += std::int64_t(all.triangles.size());
-      stats.outside += std::int64_t(all.triangles.size());
-      continue;
-    }
+    draw.outside = frame.settings.skips.outside_objects &&
+                   ClusterCuller(draw, viewport).view(all.bounds) == ClusterView::outside;
+    if (!draw.outside) draw.illumination = illuminate(frame, draw);
     const auto end = std::uint32_t(all.clusters.size());
     for (std::uint32_t first = 0; first < end; first += clusters_in_chunk, ++count) {
       if (count == frame.chunks.size()) frame.chunks.emplace_back();
@@ -151,24 +129,64 @@ void Renderer::State::make_draws(Frame& frame, FrameStats& stats) {
       chunk.end_cluster = std::min(first + clusters_in_chunk, end);
     }
   }
-  frame.chunks.resize(count);
+  if (changes.everything) frame.chunks.resize(count);
 }
 
-FrameStats Renderer::State::run_stages(Frame& frame, Framebuffer& framebuffer) {
-  FrameStats total;
-  for (Worker& worker : workers) worker.shader.stats = {};
-  make_draws(frame, total);                           // (2)
-  parallel(frame.chunks.size(), [&](std::size_t i) {  // (3) to (6), (9) at faces and vertices
-    assemble(frame, frame.chunks[i], workers.local().shader.stats);
+/// (3) to (6), and (9) at faces and vertices, of what changed.
+void Renderer::State::assemble_all(Frame& frame, const Changes& changes) {
+  parallel(frame.chunks.size(), [&](std::size_t i) {
+    Chunk& chunk = frame.chunks[i];
+    FrameStats& stats = workers.local().shader.stats;
+    if (changes.object(chunk.draw->index)) {
+      assemble(frame, chunk, stats);
+    } else {
+      chunk.counts = {};
+      if (changes.lighting) light_chunk(frame, chunk, stats);
+    }
   });
+}
+
+/// What must be done in each tile. Asked before assembly, it knows where changed objects were, and
+/// after it, where they are.
+std::vector<Redo> Renderer::State::find_tiles(const Frame& frame, const Changes& changes) const {
+  const Redo least = changes.everything ? Redo::all
+                     : changes.lighting ? Redo::shading
+                                        : Redo::nothing;
+  std::vector<Redo> tiles(std::size_t(frame.grid.count()), least);
+  if (changes.everything) return tiles;
+  for (const Chunk& chunk : frame.chunks)
+    for (std::size_t i = 0; i < chunk.bins.size() && changes.object(chunk.draw->index); ++i)
+      if (chunk.bins[i].begin != chunk.bins[i].end)
+        tiles[std::size_t(chunk.first_tile) + i] = Redo::all;
+  return tiles;
+}
+
+FrameStats Renderer::State::run_stages(Frame& frame, const Changes& changes,
+                                       Framebuffer& framebuffer) {
+  for (Worker& worker : workers) worker.shader.stats = {};
+  make_draws(frame, changes);
+  std::vector<Redo> tiles = find_tiles(frame, changes);
+  assemble_all(frame, changes);
+  const std::vector<Redo> tiles_now = find_tiles(frame, changes);
+  for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i] = std::max(tiles[i], tiles_now[i]);
+
+  const bool keep = frame.settings.reuse;
+  if (keep) kept_tiles.resize(tiles.size());
   std::mutex progress_mutex;
-  int finished = 0;
-  parallel(std::size_t(frame.grid.count()), [&](std::size_t tile) {  // (7) to (10)
-    draw_tile(frame, int(tile), workers.local(), framebuffer);
+  std::size_t finished = 0;
+  parallel(tiles.size(), [&](std::size_t i) {  // (7) to (10)
+    Worker& worker = workers.local();
+    VisibilityTile& visibility = keep ? kept_tiles[i] : worker.visibility;
+    if (tiles[i] != Redo::nothing)
+      draw_tile(frame, int(i), tiles[i], worker, visibility, framebuffer);
     if (!frame.settings.progress) return;
     const std::lock_guard lock(progress_mutex);
-    frame.settings.progress(double(++finished) / frame.grid.count());
+    frame.settings.progress(double(++finished) / double(tiles.size()));
   });
+
+  FrameStats total;
+  total.tiles_kept = std::ranges::count(tiles, Redo::nothing);
+  for (const Draw& draw : frame.draws) total.objects_outside += draw.outside;
   for (const Chunk& chunk : frame.chunks) add(chunk.counts, total);
   for (const Worker& worker : workers) add(worker.shader.stats, total);
   return total;
@@ -215,6 +233,9 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
   const Viewport viewport{framebuffer.width, framebuffer.height};
 
   State& state = *state_;
+  const Changes changes =
+      settings.reuse ? state.last.until(scene, camera, settings, framebuffer) : Changes();
+  state.last.forget();  // unless this frame ends as it should
   Frame frame{.scene = scene,
               .camera = camera,
               .settings = settings,
@@ -226,9 +247,10 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
   const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
   state.use_threads(threads);
   FrameStats stats;
-  state.arena->execute([&] { stats = state.run_stages(frame, framebuffer); });
+  state.arena->execute([&] { stats = state.run_stages(frame, changes, framebuffer); });
   state.draws = std::move(frame.draws);
   state.chunks = std::move(frame.chunks);
+  if (settings.reuse) state.last.keep(scene, camera, settings, framebuffer);
   stats.threads = threads;
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return stats;

@@ -76,6 +76,7 @@ struct FrameStats {
   std::int64_t covered_pixels = 0;
   std::int64_t evaluations = 0;  // points at which a reflection model was evaluated, per light
   std::int64_t evaluations_skipped = 0;  // of them, those of points that the light does not reach
+  std::int64_t tiles_kept = 0;           // that stand from the last frame
   std::int64_t spans = 0;                // spans of points in which they were, per light
   std::array<double, std::size_t(Stage::count)> seconds{};
   double wall_seconds = 0;

@@ -85,6 +85,7 @@ struct Target {
 void draw_spans(const ScreenTriangle& triangle, const Drawn& drawn, const Target& target) {
   const DepthPlane plane(triangle);
   const RowWriter writer(plane, drawn);
+  const DepthPlane::Rows depth(plane);
   Rect rows = target.rect;
   if (target.columns) {
     rows.y_begin = std::max(rows.y_begin, target.columns->first_row);
@@ -99,7 +100,7 @@ void draw_spans(const ScreenTriangle& triangle, const Drawn& drawn, const Target
     if (first >= last) return;
     // Anchored at the span's own first pixel, also where that is left of the tile: depth does not
     // depend on how the picture is cut into tiles.
-    const float anchor = plane.at(begin, y);
+    const float anchor = depth.at(begin, y);
     for (int x = first; x < last; x += lanes) {
       const Batch steps = Batch::iota(float(x - begin));
       const auto at = target.offset(x, y);
@@ -149,7 +150,17 @@ void draw_tiny(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& b
                const Target& target) {
   constexpr int rows_in_vector = lanes / tiny_size;
   const SmallEdges edges(triangle, box);
+  const bool single = box.x_end - box.x_begin == 1 && box.y_end - box.y_begin == 1;
+  if (single && (edges.first[0] | edges.first[1] | edges.first[2]) < 0) return;
   const DepthPlane plane(triangle);
+  const auto put = [&](int x, int y, float z) {
+    z = std::min(std::max(z, plane.min()), plane.max());
+    const auto at = target.offset(x, y);
+    float& depth = target.depth[at];
+    TriangleId& id = target.triangle[at];
+    if (z > depth || (z == depth && z > 0 && drawn.drawn_before(id))) depth = z, id = drawn.id;
+  };
+  if (single) return put(box.x_begin, box.y_begin, plane.at(box.x_begin, box.y_begin));
   const auto lane = hn::Iota(ints, 0);
   const auto row = hn::ShiftRight<2>(lane), column = hn::And(lane, hn::Set(ints, 3));
   const auto in_columns = hn::Lt(column, hn::Set(ints, box.x_end - box.x_begin));
@@ -170,13 +181,7 @@ void draw_tiny(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& b
         anchor_row = r, anchor_column = x;
         anchor = plane.at(x, y + r);
       }
-      const float z =
-          std::min(std::max(anchor + float(x - anchor_column) * plane.per_pixel(), plane.min()),
-                   plane.max());
-      const auto at = target.offset(x, y + r);
-      float& depth = target.depth[at];
-      TriangleId& id = target.triangle[at];
-      if (z > depth || (z == depth && z > 0 && drawn.drawn_before(id))) depth = z, id = drawn.id;
+      put(x, y + r, anchor + float(x - anchor_column) * plane.per_pixel());
     }
   }
 }

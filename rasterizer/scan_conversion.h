@@ -88,16 +88,19 @@ void for_each_span(const ScreenTriangle& triangle, int y_begin, int y_end, const
     else
       right[right_count++] = EdgeWalker(from, to, first_row);
   }
-  // A second edge, where there is none, repeats the first.
-  if (left_count == 1) left[1] = left[0];
-  if (right_count == 1) right[1] = right[0];
-
+  // One side has one edge, the other two, unless an edge is horizontal.
   for (int y = first_row; y < end_row; ++y) {
-    const std::int64_t x_begin = std::max(left[0].column(), left[1].column());
-    const std::int64_t x_end = std::min(right[0].column(), right[1].column());
+    std::int64_t x_begin = left[0].column(), x_end = right[0].column();
+    left[0].next_row(), right[0].next_row();
+    if (left_count == 2) {
+      x_begin = std::max(x_begin, left[1].column());
+      left[1].next_row();
+    }
+    if (right_count == 2) {
+      x_end = std::min(x_end, right[1].column());
+      right[1].next_row();
+    }
     if (x_begin < x_end) emit(y, int(x_begin), int(x_end));
-    left[0].next_row(), left[1].next_row();
-    right[0].next_row(), right[1].next_row();
   }
 }
 
@@ -129,29 +132,26 @@ class DepthPlane {
     return float((weight_b * to_b_ + weight_c * to_c_) * inverse_area_ * subpixel);
   }
 
-  /// Follows the plane down the rows: at() of row after row, exact in whole numbers like it.
+  /// at() for many pixels: the same whole numbers, added up as doubles, which hold them exactly.
   class Rows {
    public:
-    Rows(const DepthPlane& plane, int row) : plane_(plane) {
-      const std::int64_t y = std::int64_t(row) * subpixel + half_pixel;
-      weight_b_ = double(edge_function(plane.c_, plane.a_, half_pixel, y));
-      weight_c_ = double(edge_function(plane.a_, plane.b_, half_pixel, y));
-      b_per_column_ = double(plane.a_.y - plane.c_.y) * subpixel;
-      c_per_column_ = double(plane.b_.y - plane.a_.y) * subpixel;
-    }
-    float at(int column) const {
-      const double weight_b = weight_b_ + double(column) * b_per_column_;
-      const double weight_c = weight_c_ + double(column) * c_per_column_;
-      return plane_.depth(weight_b, weight_c);
-    }
-    void next() {
-      weight_b_ -= double(plane_.a_.x - plane_.c_.x) * subpixel;
-      weight_c_ -= double(plane_.b_.x - plane_.a_.x) * subpixel;
+    explicit Rows(const DepthPlane& plane)
+        : plane_(plane),
+          b_(double(edge_function(plane.c_, plane.a_, half_pixel, half_pixel))),
+          c_(double(edge_function(plane.a_, plane.b_, half_pixel, half_pixel))),
+          b_per_column_(double(plane.a_.y - plane.c_.y) * subpixel),
+          b_per_row_(double(plane.c_.x - plane.a_.x) * subpixel),
+          c_per_column_(double(plane.b_.y - plane.a_.y) * subpixel),
+          c_per_row_(double(plane.a_.x - plane.b_.x) * subpixel) {}
+
+    float at(int column, int row) const {
+      return plane_.depth(b_ + double(column) * b_per_column_ + double(row) * b_per_row_,
+                          c_ + double(column) * c_per_column_ + double(row) * c_per_row_);
     }
 
    private:
     const DepthPlane& plane_;
-    double weight_b_, weight_c_, b_per_column_, c_per_column_;
+    double b_, c_, b_per_column_, b_per_row_, c_per_column_, c_per_row_;
   };
 
   float min() const { return std::min(a_.depth, std::min(b_.depth, c_.depth)); }

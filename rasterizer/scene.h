@@ -36,6 +36,8 @@ struct Tangents {
   TangentField field = TangentField::around;
   glm::vec3 axis{0, 1, 0};  // any length but 0
   glm::vec3 centre{0};
+
+  friend bool operator==(const Tangents&, const Tangents&) = default;
 };
 
 struct Material {
@@ -47,6 +49,8 @@ struct Material {
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1.0};  // form 2 only
   Tangents tangents{};
+
+  friend bool operator==(const Material&, const Material&) = default;
 };
 
 /// Which faces are drawn. `automatic` is `front` for a closed mesh and `both` for any other; a back
@@ -78,6 +82,8 @@ struct Light {
   // Spot: full inside inner_deg of its axis, zero outside outer_deg, smooth between;
   // 0 <= inner < outer <= 90.
   double inner_deg = 20, outer_deg = 30;
+
+  friend bool operator==(const Light&, const Light&) = default;
 };
 
 struct Scene {

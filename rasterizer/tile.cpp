@@ -101,11 +101,11 @@ void finish(const Rgb<double>& background, const Rect& r, const ColourTarget& ta
 
 }  // namespace
 
-void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& framebuffer) {
+void draw_tile(const Frame& frame, int tile, Redo redo, Worker& worker, VisibilityTile& visibility,
+               Framebuffer& framebuffer) {
   FrameStats& stats = worker.shader.stats;
   const Rect rect = frame.grid.tile(tile);
   const ColourTarget target = colour_target(frame, rect, worker, framebuffer);
-  VisibilityTile& visibility = worker.visibility;
   const auto shade = [&](const FragmentSpan& span) {
     const StageTimer shading_timer(stats, Stage::shading);
     worker.shader.shade(frame, span, target, framebuffer);
@@ -122,6 +122,7 @@ void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& frameb
   };
   without_shading(Stage::scan_conversion, [&] {
     clear(rect, target, frame.scene.background, framebuffer);
+    if (redo == Redo::shading) return;
     worker.triangles.gather(frame, tile, visibility);
     const bool forward = !frame.settings.skips.hidden_fragments && visibility.samples == 1;
     worker.triangles.scan_convert_all(visibility, stats, [&](TriangleId id) {

@@ -3,6 +3,7 @@
 
 #include "rasterizer/pipeline.h"
 #include "rasterizer/resolve.h"
+#include "rasterizer/reuse.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/tile_triangles.h"
 
@@ -19,7 +20,8 @@ struct Worker {
 };
 
 /// Scan-converts, resolves and shades a tile, into its own part of the framebuffer, which is
-/// cleared first.
-void draw_tile(const Frame& frame, int tile, Worker& worker, Framebuffer& framebuffer);
+/// cleared first. With Redo::shading the visibility stands as it is.
+void draw_tile(const Frame& frame, int tile, Redo redo, Worker& worker, VisibilityTile& visibility,
+               Framebuffer& framebuffer);
 
 }  // namespace scanlit
