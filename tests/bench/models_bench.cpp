@@ -31,7 +31,7 @@ struct Setup {
   Scene scene;
   Camera camera{.eye = {0, 0, 4.15}};
   RenderSettings settings;
-  Frame frame{scene, camera, settings, {}, {}, {}, {}, {}, {}, {}, {}};
+  Frame frame{scene, camera, settings, {}, {}, {}, {}};
   Draw draw{};
   SurfaceSpan surface[span_count];
   LitSpan lit;
