@@ -1,6 +1,7 @@
 // (6) Assembly: the vertices of a cluster become triangles; what cannot be seen is dropped, what is
 // cut is cut (4), and the rest is sorted into the tiles it may touch.
 #include <algorithm>
+#include <limits>
 
 #include "rasterizer/cluster_culling.h"
 #include "rasterizer/shading.h"
@@ -15,7 +16,6 @@ namespace {
 struct Placed {
   std::uint32_t tile;
   BinEntry entry;
-  Rect pixels;
 };
 
 /// What a thread keeps from chunk to chunk.
@@ -23,6 +23,7 @@ struct Scratch {
   ClusterVertices vertices;
   CulledCluster culled;
   std::vector<Placed> placed;
+  std::vector<Bin> bins;  // of all tiles; empty between chunks
 };
 
 class Assembler {
@@ -34,10 +35,12 @@ class Assembler {
         vertices_(scratch.vertices),
         culled_(scratch.culled),
         placed_(scratch.placed),
+        bins_(scratch.bins),
         culler_(draw_, frame.viewport) {}
 
   void run() {
     placed_.clear();
+    bins_.resize(std::max(bins_.size(), std::size_t(frame_.grid.count())));
     const auto& clusters = draw_.clusters->clusters;
     for (std::uint32_t i = chunk_.first_cluster; i < chunk_.end_cluster; ++i) add(clusters[i]);
     sort_into_bins();
@@ -171,10 +174,15 @@ class Assembler {
     const float nearest = std::max({t.vertices[0].depth, t.vertices[1].depth, t.vertices[2].depth});
     const TileGrid& grid = frame_.grid;
     for (int row = grid.row(r.y_begin); row <= grid.row(r.y_end - 1); ++row)
-      for (int column = grid.column(r.x_begin); column <= grid.column(r.x_end - 1); ++column)
-        placed_.push_back({std::uint32_t(row * grid.columns + column),
-                           {record, nearest},
-                           intersection(r, grid.tile(column, row))});
+      for (int column = grid.column(r.x_begin); column <= grid.column(r.x_end - 1); ++column) {
+        const int tile = row * grid.columns + column;
+        const Rect pixels = intersection(r, grid.tile(column, row));
+        Bin& bin = bins_[std::size_t(tile)];
+        bin.touched = bin.end++ == 0 ? pixels : united(bin.touched, pixels);
+        bin.pixels += area(pixels);
+        first_tile_ = std::min(first_tile_, tile), last_tile_ = std::max(last_tile_, tile);
+        placed_.push_back({std::uint32_t(tile), {record, nearest}});
+      }
   }
 
   /// The site of a vertex of the present cluster: made when first asked for.
@@ -192,24 +200,18 @@ class Assembler {
   void sort_into_bins() {
     chunk_.entries.resize(placed_.size());
     if (placed_.empty()) return;
-    const auto [low, high] = std::ranges::minmax_element(placed_, {}, &Placed::tile);
-    const std::uint32_t first_tile = low->tile;
-    chunk_.first_tile = int(first_tile);
-    chunk_.bins.resize(high->tile - first_tile + 1);
-    for (const Placed& p : placed_) {
-      Bin& bin = chunk_.bins[p.tile - first_tile];
-      const Rect& r = p.pixels;
-      bin.touched = bin.end++ == 0 ? r : united(bin.touched, r);
-      bin.pixels += std::int64_t(r.x_end - r.x_begin) * (r.y_end - r.y_begin);
-    }
+    const auto first = bins_.begin() + first_tile_, end = bins_.begin() + last_tile_ + 1;
+    chunk_.first_tile = first_tile_;
+    chunk_.bins.assign(first, end);
+    std::fill(first, end, Bin());
     std::uint32_t position = 0;
     for (Bin& bin : chunk_.bins) {
       const std::uint32_t size = bin.end;
       bin.begin = bin.end = position;
       position += size;
     }
-    for (const Placed& p : placed_)
-      chunk_.entries[chunk_.bins[p.tile - first_tile].end++] = p.entry;
+    Bin* const bins = chunk_.bins.data() - first_tile_;
+    for (const Placed& p : placed_) chunk_.entries[bins[p.tile].end++] = p.entry;
   }
 
   static constexpr std::uint32_t no_site = 0xffffffffu;
@@ -220,6 +222,8 @@ class Assembler {
   ClusterVertices& vertices_;
   CulledCluster& culled_;
   std::vector<Placed>& placed_;
+  std::vector<Bin>& bins_;
+  int first_tile_ = std::numeric_limits<int>::max(), last_tile_ = 0;
   ClusterCuller culler_;
   const Cluster* cluster_ = nullptr;
   std::uint32_t site_of_[2][ClusterVertices::capacity];

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <optional>
 
 #include "rasterizer/batch.h"
 
@@ -44,6 +45,47 @@ class GreatestDepth {
   float first_, per_column_, per_row_, nearest_, margin_;
 };
 
+/// Whether a triangle covers none of some pixel centres: tried with one edge after the other, all
+/// of them lying outside of it. Not exact, but never true where one is covered.
+class Outline {
+ public:
+  explicit Outline(const DrawnTriangle& t) {
+    const auto& v = t.vertices;
+    const bool flip = screen_triangle(v[0], v[1], v[2]).twice_area < 0;
+    for (int i = 0; i < 3; ++i) {
+      const ScreenVertex &a = v[i], &b = v[i == 2 ? 0 : i + 1];
+      Edge& e = edges_[i];
+      e.per_column = double(flip ? a.y - b.y : b.y - a.y);
+      e.per_row = double(flip ? b.x - a.x : a.x - b.x);
+      e.at_origin = -e.per_column * (a.x / 256.0 - 0.5) - e.per_row * (a.y / 256.0 - 0.5);
+    }
+  }
+
+  /// Pixels (x + column[i], y + row[i]).
+  template <int count>
+  bool misses(int x, int y, const float (&column)[count], const float (&row)[count]) const {
+    for (const Edge& edge : edges_) {
+      const double corner = edge.at_origin + edge.per_column * x + edge.per_row * y;
+      // Within a block of 16 x 8 float is off by less than 2^-18 of the slopes.
+      const double margin = 0x1p-16 * (std::abs(edge.per_column) + std::abs(edge.per_row));
+      const Batch start(float(corner + margin)), dx(float(edge.per_column)),
+          dy(float(edge.per_row));
+      auto outside = Batch(0) < Batch(1);
+      for (int i = 0; i < count; i += Batch::lanes)
+        outside =
+            outside & (start + dx * Batch::load(column + i) + dy * Batch::load(row + i) < Batch(0));
+      if (bits_of(outside) == (1u << Batch::lanes) - 1) return true;
+    }
+    return false;
+  }
+
+ private:
+  struct Edge {
+    double at_origin, per_column, per_row;  // 256 times twice the area, at pixel centres
+  };
+  Edge edges_[3];
+};
+
 float least_depth(const Rect& pixels, const VisibilityTile& tile) {
   const float infinite = 1e30f;
   Batch least(infinite);
@@ -67,6 +109,8 @@ void CoarseDepth::reset(const VisibilityTile& tile) {
   const int rows = (rect_.y_end - rect_.y_begin + block_height - 1) / block_height;
   stride_ = columns + Batch::lanes;
   least_.assign(std::size_t(stride_ * rows), 0.0f);
+  holes_.resize(least_.size());
+  for (Holes& holes : holes_) holes.least = 0;
   written_.assign(std::size_t(stride_ * rows), 0);
 }
 
@@ -80,9 +124,36 @@ bool CoarseDepth::refresh(int column, int row, float depth, const VisibilityTile
   // Before it is written that often there may be holes in it, or what was there stands.
   if (written_[i] < block_width * block_height) return true;
   least_[i] = least_depth(block(column, row), tile);
-  // Where there are holes there may be for long, as at an outline.
-  written_[i] = least_[i] > 0 ? 0 : -8 * block_width * block_height;
+  written_[i] = 0;
+  if (least_[i] <= 0 && tile.samples == 1) {
+    find_holes(block(column, row), tile, holes_[i]);
+    written_[i] = -2 * block_width * block_height;  // they may be there for long
+  }
   return depth >= least_[i];
+}
+
+void CoarseDepth::find_holes(const Rect& pixels, const VisibilityTile& tile, Holes& holes) const {
+  int count = 0;
+  const auto add = [&](int x, int y) {
+    holes.column[count] = float(x);
+    holes.row[count++] = float(y - pixels.y_begin);
+  };
+  const float infinite = 1e30f;
+  Batch least(infinite);
+  for (int y = pixels.y_begin; y < pixels.y_end; ++y) {
+    const float* row = &tile.depth[tile.row(0, y)] + (pixels.x_begin - tile.rect.x_begin);
+    unsigned empty = 0;
+    for (int x = 0; x < block_width; x += Batch::lanes) {
+      const Batch depth = Batch::load(row + x);
+      const auto in_block = Batch::iota(float(x)) < Batch(float(pixels.x_end - pixels.x_begin));
+      least = min(least, select(in_block & (depth > Batch(0)), depth, infinite));
+      empty |= bits_of(in_block & (depth <= Batch(0))) << x;
+    }
+    if (empty != 0) add(std::countr_zero(empty), y), add(std::bit_width(empty) - 1, y);
+  }
+  holes.least = hn::GetLane(hn::MinOfLanes(Batch::tag, least.raw));
+  for (int i = count; i < 2 * block_height; ++i)
+    holes.column[i] = holes.column[0], holes.row[i] = holes.row[0];
 }
 
 bool CoarseDepth::visible(const DrawnTriangle& triangle, const Rect& pixels,
@@ -91,6 +162,7 @@ bool CoarseDepth::visible(const DrawnTriangle& triangle, const Rect& pixels,
   const int last_row = (pixels.y_end - 1 - rect_.y_begin) / block_height;
   const int first_column = (pixels.x_begin - rect_.x_begin) / block_width;
   const int last_column = (pixels.x_end - 1 - rect_.x_begin) / block_width;
+  std::optional<Outline> outline;  // rarely asked for
   const GreatestDepth greatest(triangle, rect_.x_begin, rect_.y_begin, block_width, block_height);
   bool any = false;
   columns.y_begin = rect_.y_begin;
@@ -107,6 +179,12 @@ bool CoarseDepth::visible(const DrawnTriangle& triangle, const Rect& pixels,
       for (; seen != 0; seen &= seen - 1) {
         const int lane = std::countr_zero(seen), at = column + lane;
         if (!refresh(at, row, depths[lane], tile)) continue;
+        const Holes& holes = holes_[std::size_t(row * stride_ + at)];
+        const Rect here = block(at, row);
+        if (depths[lane] < holes.least && !outline) outline.emplace(triangle);
+        if (depths[lane] < holes.least &&
+            outline->misses(here.x_begin, here.y_begin, holes.column, holes.row))
+          continue;
         begin = std::min(begin, at), end = at + 1;
       }
     }

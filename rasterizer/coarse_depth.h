@@ -35,14 +35,24 @@ class CoarseDepth {
  private:
   static constexpr int block_width = 16, block_height = VisibleColumns::block_height;
 
+  /// A block that is covered in part, as at an outline: what lies behind the covered part and
+  /// misses the rest is hidden, too.
+  struct Holes {
+    float least = 0;  // depth of the covered pixels, or less; 0: not known
+    // Pixels of the block between which all holes are: the first and the last of each row.
+    float column[2 * block_height], row[2 * block_height];
+  };
+
   Rect block(int column, int row) const;
   /// True if it may be seen in the block even now that its least depth is known.
   bool refresh(int column, int row, float depth, const VisibilityTile& tile);
+  void find_holes(const Rect& pixels, const VisibilityTile& tile, Holes& holes) const;
 
   Rect rect_{};
   int stride_ = 0;            // blocks in a row, and more: vectors are loaded whole
   std::vector<float> least_;  // depth in each block
   std::vector<int> written_;  // pixels since then, at most
+  std::vector<Holes> holes_;
 };
 
 }  // namespace scanlit

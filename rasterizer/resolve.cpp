@@ -25,18 +25,19 @@ FragmentSpan& SpanCollector::span_of(const Draw& draw) {
 }
 
 VisibleTriangle::VisibleTriangle(const Frame& frame, const DrawnTriangle& drawn)
-    : triangle_(screen_triangle(drawn.vertices[0], drawn.vertices[1], drawn.vertices[2])),
-      draw_(&frame.draws[drawn.draw]),
+    : draw_(&frame.draws[drawn.draw]),
       piece_(drawn.piece == DrawnTriangle::not_cut
                  ? nullptr
                  : &frame.chunks[drawn.chunk].pieces[drawn.piece]),
-      drawn_(&drawn),
-      back_facing_((triangle_.twice_area < 0) != draw_->mirrored) {}
+      drawn_(drawn),
+      twice_area_(double(
+          screen_triangle(drawn.vertices[0], drawn.vertices[1], drawn.vertices[2]).twice_area)),
+      back_facing_((twice_area_ < 0) != draw_->mirrored) {}
 
 bool VisibleTriangle::holds(double x, double y) const {
-  const double sign = triangle_.twice_area > 0 ? 1 : -1;
+  const double sign = twice_area_ > 0 ? 1 : -1;
   const double e1 = sign * edge_1(x, y), e2 = sign * edge_2(x, y);
-  return e1 >= 0 && e2 >= 0 && e1 + e2 <= sign * double(triangle_.twice_area);
+  return e1 >= 0 && e2 >= 0 && e1 + e2 <= sign * twice_area_;
 }
 
 namespace {
@@ -98,7 +99,7 @@ class Growth {
 /// From weights that are linear on the screen to those of perspective: attributes over w, and 1/w,
 /// are linear on the screen; their quotient is the attribute.
 template <class T>
-void divide_by_w(const ScreenTriangle& triangle, T (&b)[3]) {
+void divide_by_w(const DrawnTriangle& triangle, T (&b)[3]) {
   const auto& [p, q, r] = triangle.vertices;
   b[0] = b[0] * T(p.inv_w), b[1] = b[1] * T(q.inv_w), b[2] = b[2] * T(r.inv_w);
   const T w = T(1) / (b[0] + b[1] + b[2]);
@@ -109,10 +110,10 @@ void divide_by_w(const ScreenTriangle& triangle, T (&b)[3]) {
 
 void VisibleTriangle::append_derivatives(const Batch (&linear)[3], int at, bool perspective,
                                          FragmentSpan& span) const {
-  const auto& [a, b, c] = triangle_.vertices;
+  const auto& [a, b, c] = drawn_.vertices;
   const double inv_w[3] = {perspective ? double(a.inv_w) : 1, perspective ? double(b.inv_w) : 1,
                            perspective ? double(c.inv_w) : 1};
-  const double pixel = subpixel / double(triangle_.twice_area);
+  const double pixel = subpixel / twice_area_;
   const Growth right({(c.y - b.y) * pixel, (a.y - c.y) * pixel, (b.y - a.y) * pixel}, inv_w);
   const Growth below({(b.x - c.x) * pixel, (c.x - a.x) * pixel, (a.x - b.x) * pixel}, inv_w);
   Batch w[3];
@@ -125,8 +126,8 @@ void VisibleTriangle::append_derivatives(const Batch (&linear)[3], int at, bool 
 
 void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel, float weight,
                              Interpolation interpolation, FragmentSpan& span) const {
-  const auto& [a, b, c] = triangle_.vertices;
-  const double area = double(triangle_.twice_area), scale = 1.0 / area;
+  const auto& [a, b, c] = drawn_.vertices;
+  const double area = twice_area_, scale = 1.0 / area;
   // A centroid of samples is rounded, and may lie beyond an edge by that much; 1/w would magnify
   // it.
   const auto inside = [area](double edge) { return area > 0 ? max(edge, 0.0) : min(edge, 0.0); };
@@ -144,7 +145,7 @@ void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel,
     // Where triangles are as small as pixels, one weight by itself: the same operations.
     for (int i = 0; i < count; ++i) {
       float w[3] = {linear[0].at(i), linear[1].at(i), linear[2].at(i)};
-      if (perspective) divide_by_w(triangle_, w);
+      if (perspective) divide_by_w(drawn_, w);
       span.b1[first + i] = w[1], span.b2[first + i] = w[2];
       span.weight[first + i] = weight;
       span.pixel[first + i] = pixel + std::uint32_t(i);
@@ -154,7 +155,7 @@ void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel,
     for (int i = 0; i < count; i += Batch::lanes) {
       Batch w[3] = {linear[0].vector_at(i), linear[1].vector_at(i), linear[2].vector_at(i)};
       if (span.with_derivatives) append_derivatives(w, first + i, perspective, span);
-      if (perspective) divide_by_w(triangle_, w);
+      if (perspective) divide_by_w(drawn_, w);
       if (piece_) {
         const auto& m = piece_->barycentric;
         const auto in_source = [&](int vertex) {
@@ -170,7 +171,7 @@ void VisibleTriangle::append(double x, double y, int count, std::uint32_t pixel,
       hn::StoreU(hn::Iota(unsigneds, pixel + std::uint32_t(i)), unsigneds, span.pixel + first + i);
     }
   }
-  span.runs[span.run_count++] = {drawn_, std::uint16_t(first), std::uint16_t(count), back_facing_};
+  span.runs[span.run_count++] = {&drawn_, std::uint16_t(first), std::uint16_t(count), back_facing_};
   span.size += count;
 }
 

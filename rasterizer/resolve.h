@@ -54,18 +54,18 @@ class VisibleTriangle {
   /// The edge functions whose share of twice_area is the screen-linear weight of corner 1 and of
   /// corner 2. Exact where x and y are whole numbers: doubles hold them (see Viewport).
   double edge_1(double x, double y) const {
-    const auto& [a, b, c] = triangle_.vertices;
+    const auto& [a, b, c] = drawn_.vertices;
     return double(a.y - c.y) * (x - c.x) - double(a.x - c.x) * (y - c.y);
   }
   double edge_2(double x, double y) const {
-    const auto& [a, b, c] = triangle_.vertices;
+    const auto& [a, b, c] = drawn_.vertices;
     return double(b.y - a.y) * (x - a.x) - double(b.x - a.x) * (y - a.y);
   }
 
-  ScreenTriangle triangle_;
   const Draw* draw_;
   const ClippedTriangle* piece_;  // null where the triangle is whole
-  const DrawnTriangle* drawn_;
+  const DrawnTriangle& drawn_;
+  double twice_area_;
   bool back_facing_;
 };
 
