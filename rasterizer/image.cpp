@@ -1,5 +1,3 @@
-#include "rasterizer/image.h"
-
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -12,6 +10,7 @@
 #include "rasterizer/image/checked_stream.h"
 #include "rasterizer/image/image_encoding.h"
 #include "rasterizer/image/image_planes.h"
+#include "rasterizer/image/openimageio.h"
 #include "rasterizer/image/output_file.h"
 
 namespace scanlit {
@@ -152,14 +151,14 @@ void validate_planes(const std::filesystem::path& file, const Framebuffer& frame
 
 }  // namespace
 
-void check_image_target(const std::filesystem::path& file, int width, int height) {
+void openimageio::check_image_target(const std::filesystem::path& file, int width, int height) {
   format_of(file);
   validate_size(width, height);  // every format above holds max_framebuffer_size
   OutputFile{file};              // made and removed: the one test that says what the system allows
 }
 
-ImageReport write_image(const std::filesystem::path& file, const Framebuffer& framebuffer,
-                        const ImageOptions& options) {
+ImageReport openimageio::write_image(const std::filesystem::path& file,
+                                     const Framebuffer& framebuffer, const ImageOptions& options) {
   const Format& format = format_of(file);
   validate_planes(file, framebuffer);
   if (!(std::abs(options.exposure_ev) <= max_exposure_ev))
@@ -189,7 +188,7 @@ ImageReport write_image(const std::filesystem::path& file, const Framebuffer& fr
   return report;
 }
 
-void write_aovs(const std::filesystem::path& file, const Framebuffer& framebuffer) {
+void openimageio::write_aovs(const std::filesystem::path& file, const Framebuffer& framebuffer) {
   const Format& format = format_of(file);
   if (std::string_view(format.writer) != "openexr")
     throw Error(file.string(), "only an .exr file holds named channels");

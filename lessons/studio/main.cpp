@@ -3,13 +3,14 @@
 
 #include "lessons/studio/commands.h"
 #include "lessons/studio/program.h"
+#include "lessons/studio/version.h"
 #include "rasterizer/error.h"
 
 namespace scanlit::studio {
 
 std::function<void()> set_up(CLI::App& app) {
   app.description("Draws meshes with local reflection models, by scan conversion.");
-  app.set_version_flag("--version", "scanlit " SCANLIT_VERSION);
+  app.set_version_flag("--version", version_text);
   app.footer(
       "Example:\n"
       "  scanlit render teapot:16 -o teapot.png\n"

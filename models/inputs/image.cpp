@@ -1,5 +1,3 @@
-#include "models/inputs/image.h"
-
 #include <OpenImageIO/imagebuf.h>
 #include <OpenImageIO/imagecache.h>
 #include <OpenImageIO/texture.h>
@@ -13,6 +11,7 @@
 #include <map>
 #include <mutex>
 
+#include "models/inputs/image_library.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image/image_encoding.h"
 
@@ -240,11 +239,12 @@ class Image final : public Input {
   OIIO::TextureOpt options_;
 };
 
-}  // namespace
-
-std::shared_ptr<const Input> make_image_input(const std::filesystem::path& file,
-                                              const std::string& space, const std::string& wrap) {
+std::shared_ptr<const Input> make(const std::filesystem::path& file, const std::string& space,
+                                  const std::string& wrap) {
   return std::make_shared<Image>(read_pixels(file.string()), space, wrap);
 }
 
+}  // namespace
 }  // namespace scanlit::models
+
+extern "C" const scanlit::models::ImageInputMaker scanlit_image_input = scanlit::models::make;

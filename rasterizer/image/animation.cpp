@@ -1,5 +1,3 @@
-#include "rasterizer/image/animation.h"
-
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include "rasterizer/error.h"
 #include "rasterizer/image/checked_stream.h"
 #include "rasterizer/image/image_encoding.h"
+#include "rasterizer/image/openimageio.h"
 #include "rasterizer/image/output_file.h"
 
 namespace scanlit {
@@ -32,7 +31,8 @@ std::vector<std::uint8_t> encoded(const Framebuffer& frame, const EightBitEncode
 
 }  // namespace
 
-void check_animation(const std::filesystem::path& file, int width, int height, int frames) {
+void openimageio::check_animation(const std::filesystem::path& file, int width, int height,
+                                  int frames) {
   if (file.extension() != ".gif")
     throw Error(file.string(), "an animation is a .gif file; of no other format");
   const std::string asked = std::to_string(width) + "x" + std::to_string(height) + " pixels";
@@ -47,9 +47,9 @@ void check_animation(const std::filesystem::path& file, int width, int height, i
                                    " pixels in all are the most");
 }
 
-void write_animation(const std::filesystem::path& file, int frames,
-                     const std::function<Framebuffer(int)>& frame, double frames_per_second,
-                     Encoding encoding) {
+void openimageio::write_animation(const std::filesystem::path& file, int frames,
+                                  const std::function<Framebuffer(int)>& frame,
+                                  double frames_per_second, Encoding encoding) {
   const EightBitEncoder encode(encoding);
   OutputFile target(file);  // outlives the stream, which outlives the plug-in
   CheckedStream stream(target.stream());

@@ -4,9 +4,9 @@
 #include <memory>
 
 #include "rasterizer/error.h"
-#include "rasterizer/image.h"
 #include "rasterizer/image/image_encoding.h"
 #include "rasterizer/image/image_planes.h"
+#include "rasterizer/image/openimageio.h"
 
 namespace scanlit {
 namespace {
@@ -49,7 +49,7 @@ class ChannelReader {
 
 }  // namespace
 
-Framebuffer read_image(const std::filesystem::path& file, Encoding encoding) {
+Framebuffer openimageio::read_image(const std::filesystem::path& file, Encoding encoding) {
   ChannelReader reader(file);
   Planes planes;
   planes.depth = reader.has("depth.Z");

@@ -1,17 +1,16 @@
 #include "rasterizer/image/labels.h"
 
-#include <OpenImageIO/imagebuf.h>
-#include <OpenImageIO/imagebufalgo.h>
-
 #include <cstdlib>
 #include <filesystem>
 #include <vector>
+
+#include "rasterizer/image/openimageio.h"
 
 namespace scanlit {
 namespace {
 
 bool readable(const std::string& file) {
-  return OIIO::ImageBufAlgo::text_size("x", 12, file).defined();
+  return openimageio::functions().text_width(file, "x", 12).has_value();
 }
 
 /// Plain sans serifs with Greek letters, the first found anywhere under the folder.
@@ -58,8 +57,7 @@ std::optional<Font> Font::find() {
 
 int Font::width(const std::string& text, int size) const {
   if (text.empty()) return 0;
-  const OIIO::ROI roi = OIIO::ImageBufAlgo::text_size(ascii(text), size, file_);
-  return roi.defined() ? roi.width() : 0;
+  return openimageio::functions().text_width(file_, ascii(text), size).value_or(0);
 }
 
 std::string Font::fitted(const std::string& text, int size, int max_width) const {
@@ -73,14 +71,7 @@ std::string Font::fitted(const std::string& text, int size, int max_width) const
 
 void Font::draw(Framebuffer& picture, int x, int y, const std::string& text, int size, Align align,
                 const Rgb<float>& colour) const {
-  using OIIO::ImageBufAlgo::TextAlignX;
-  const TextAlignX align_x = align == Align::left     ? TextAlignX::Left
-                             : align == Align::centre ? TextAlignX::Center
-                                                      : TextAlignX::Right;
-  const OIIO::ImageSpec spec(picture.width, picture.height, 4, OIIO::TypeDesc::FLOAT);
-  OIIO::ImageBuf pixels(spec, picture.colour.data());
-  OIIO::ImageBufAlgo::render_text(pixels, x, y, ascii(text), size, file_,
-                                  {colour.r, colour.g, colour.b, 1.0f}, align_x);
+  openimageio::functions().draw_text(picture, file_, x, y, ascii(text), size, align, colour);
 }
 
 }  // namespace scanlit

@@ -7,7 +7,6 @@
 #include <fstream>
 #include <vector>
 
-#include "rasterizer/batch.h"
 #include "rasterizer/image/output_file.h"
 
 namespace scanlit::bench {
@@ -45,11 +44,6 @@ Figures run(int argc, char** argv) {
   benchmark::RunSpecifiedBenchmarks(&collector);
   benchmark::Shutdown();
   return collector.figures;
-}
-
-std::string vector_level() {
-  const char* name = HWY_TARGET == HWY_SSE4 ? "SSE4" : HWY_TARGET == HWY_AVX2 ? "AVX2" : "AVX-512";
-  return std::string(name) + ", " + std::to_string(Batch::lanes) + " lanes";
 }
 
 std::string machine() {

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "rasterizer/vector_level.h"
+
 namespace scanlit::bench {
 
 /// Of each benchmark, by its name: each counter's least value over all repetitions. On a machine
@@ -13,9 +15,6 @@ using Figures = std::map<std::string, std::map<std::string, double>>;
 /// Runs all registered benchmarks, their repetitions in random order, so that a busy moment does
 /// not hit one of two that are compared. Takes Google Benchmark's options besides.
 Figures run(int argc, char** argv);
-
-/// "AVX-512, 16 lanes": what this program was compiled for.
-std::string vector_level();
 
 /// The processor's name.
 std::string machine();

@@ -38,7 +38,27 @@ TEST(Cli, ListsModelsAndShapes) {
   expect_narrow(shapes.out);
 }
 
-TEST(Cli, VersionIsANumber) { EXPECT_TRUE(contains(Folder().run("--version").out, "scanlit 0.")); }
+TEST(Cli, VersionIsANumberAndNamesTheVectors) {
+  const std::string version = Folder().run("--version").out;
+  EXPECT_TRUE(version.starts_with("scanlit 0.")) << version;
+#if defined(__AVX512F__)
+  EXPECT_TRUE(contains(version, "\nvectors: AVX-512, 16 lanes\n")) << version;
+#elif defined(__AVX2__)
+  EXPECT_TRUE(contains(version, "\nvectors: AVX2, 8 lanes\n")) << version;
+#else
+  EXPECT_TRUE(contains(version, "\nvectors: SSE4, 4 lanes\n")) << version;
+#endif
+}
+
+TEST(Cli, OpenImageIOIsLoadedOnlyForImages) {
+  const Folder folder;
+  const auto loads = [&](const char* arguments) {
+    return contains(folder.run(arguments, "LD_DEBUG=files").err, "OpenImageIO");
+  };
+  EXPECT_FALSE(loads("--help"));
+  EXPECT_FALSE(loads("reflect blinn-phong --terms"));
+  EXPECT_TRUE(loads("render torus:8 --size 40x30"));
+}
 
 TEST(Cli, ThePictureIsNamedAfterTheInputAndSaidToBeThere) {
   const Folder folder;

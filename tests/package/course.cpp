@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "models/formula.h"
+#include "rasterizer/image.h"
 #include "rasterizer/render.h"
 #include "rasterizer/shapes.h"
 
@@ -41,6 +42,7 @@ int main() {
   sphere.material.model = models::make("minnaert:kd=.9,k=2").model;
   Framebuffer framebuffer(64, 64);
   const FrameStats stats = render(scene, Camera{}, RenderSettings{}, framebuffer);
+  write_image("course.png", framebuffer);
   std::printf("%lld pixels\n", static_cast<long long>(stats.covered_pixels));
   return stats.covered_pixels > 1000 && framebuffer.colour[4 * (32 * 64 + 32)] > 0.5f ? 0 : 1;
 }
