@@ -114,6 +114,13 @@ void CoarseDepth::reset(const VisibilityTile& tile) {
   written_.assign(std::size_t(stride_ * rows), 0);
 }
 
+CoarseDepth::Blocks CoarseDepth::blocks(const Rect& pixels) const {
+  return {.first_column = (pixels.x_begin - rect_.x_begin) / block_width,
+          .last_column = (pixels.x_end - 1 - rect_.x_begin) / block_width,
+          .first_row = (pixels.y_begin - rect_.y_begin) / block_height,
+          .last_row = (pixels.y_end - 1 - rect_.y_begin) / block_height};
+}
+
 Rect CoarseDepth::block(int column, int row) const {
   const int x = rect_.x_begin + column * block_width, y = rect_.y_begin + row * block_height;
   return {x, y, std::min(x + block_width, rect_.x_end), std::min(y + block_height, rect_.y_end)};
@@ -156,12 +163,19 @@ void CoarseDepth::find_holes(const Rect& pixels, const VisibilityTile& tile, Hol
     holes.column[i] = holes.column[0], holes.row[i] = holes.row[0];
 }
 
+bool CoarseDepth::hides(const Rect& pixels, float nearest, const VisibilityTile& tile) {
+  const auto [first_column, last_column, first_row, last_row] = blocks(pixels);
+  for (int row = first_row; row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column)
+      if (nearest >= least_[std::size_t(row * stride_ + column)] &&
+          refresh(column, row, nearest, tile))
+        return false;
+  return true;
+}
+
 bool CoarseDepth::visible(const DrawnTriangle& triangle, const Rect& pixels,
                           const VisibilityTile& tile, VisibleColumns& columns) {
-  const int first_row = (pixels.y_begin - rect_.y_begin) / block_height;
-  const int last_row = (pixels.y_end - 1 - rect_.y_begin) / block_height;
-  const int first_column = (pixels.x_begin - rect_.x_begin) / block_width;
-  const int last_column = (pixels.x_end - 1 - rect_.x_begin) / block_width;
+  const auto [first_column, last_column, first_row, last_row] = blocks(pixels);
   std::optional<Outline> outline;  // rarely asked for
   const GreatestDepth greatest(triangle, rect_.x_begin, rect_.y_begin, block_width, block_height);
   bool any = false;

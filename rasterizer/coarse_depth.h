@@ -27,6 +27,9 @@ class CoarseDepth {
   /// Nothing is covered: of tile.touched alone.
   void reset(const VisibilityTile& tile);
 
+  /// Whether everything in `pixels` is nearer than `nearest`.
+  bool hides(const Rect& pixels, float nearest, const VisibilityTile& tile);
+
   /// Finds the columns where the triangle, whose box is within `pixels`, may be nearer than what is
   /// there, and takes for granted that it is about to be drawn in them. False if there are none.
   bool visible(const DrawnTriangle& triangle, const Rect& pixels, const VisibilityTile& tile,
@@ -43,6 +46,11 @@ class CoarseDepth {
     float column[2 * block_height], row[2 * block_height];
   };
 
+  /// The blocks that some pixels meet: columns and rows, both ends included.
+  struct Blocks {
+    int first_column, last_column, first_row, last_row;
+  };
+  Blocks blocks(const Rect& pixels) const;
   Rect block(int column, int row) const;
   /// True if it may be seen in the block even now that its least depth is known.
   bool refresh(int column, int row, float depth, const VisibilityTile& tile);

@@ -241,6 +241,7 @@ void draw(const ScreenTriangle& triangle, const Drawn& drawn, const Target& targ
 void VisibilityTile::reset(const Rect& tile, const Rect& touched_pixels, int sample_count) {
   rect = tile;
   touched = touched_pixels;
+  triangles.clear();
   samples = sample_count;
   const int width = tile.x_end - tile.x_begin, height = tile.y_end - tile.y_begin;
   // A vector that starts at a row's last pixel must stay inside the arrays.

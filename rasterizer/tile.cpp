@@ -125,7 +125,7 @@ void draw_tile(const Frame& frame, int tile, Redo redo, Worker& worker, Visibili
     if (redo == Redo::shading) return;
     worker.triangles.gather(frame, tile, visibility);
     const bool forward = !frame.settings.skips.hidden_fragments && visibility.samples == 1;
-    worker.triangles.scan_convert_all(visibility, stats, [&](TriangleId id) {
+    worker.triangles.scan_convert_all(frame, visibility, stats, [&](TriangleId id) {
       if (!forward) return;
       const auto& v = visibility.triangles[id]->vertices;
       const Rect box =

@@ -6,40 +6,51 @@
 
 namespace scanlit {
 
-/// A tile's triangles, gathered from the bins of all chunks. Kept from tile to tile for its memory.
+/// A tile's triangles, from the bins of all chunks. Kept from tile to tile for its memory.
 class TileTriangles {
  public:
-  /// Fills visibility.triangles and makes the tile ready for them.
+  /// Finds the bins, and makes the tile ready for them.
   void gather(const Frame& frame, int tile, VisibilityTile& visibility);
 
-  /// Scan-converts each, nearest first where many hide one another, and calls drawn(id) after it.
+  /// Scan-converts what may be seen, the nearest bin first where many triangles hide one another;
+  /// fills visibility.triangles, and calls drawn(id) after each.
   template <class AfterEach>
-  void scan_convert_all(VisibilityTile& visibility, FrameStats& stats, const AfterEach& drawn) {
-    VisibleColumns columns;
-    for (TriangleId id = 0; id < TriangleId(visibility.triangles.size()); ++id) {
-      // After sorting they come from all over memory.
-      if (id + 4 < visibility.triangles.size()) __builtin_prefetch(visibility.triangles[id + 4]);
-      if (deep_ && !visible(*visibility.triangles[id], visibility, columns)) {
-        ++stats.hidden;
+  void scan_convert_all(const Frame& frame, VisibilityTile& visibility, FrameStats& stats,
+                        const AfterEach& drawn) {
+    for (const Part& part : parts_) {
+      const Bin& bin = *part.bin;
+      if (deep_ && coarse_.hides(bin.touched, part.nearest, visibility)) {
+        stats.hidden += bin.end - bin.begin;
         continue;
       }
-      scan_convert(id, visibility, deep_ ? &columns : nullptr);
-      drawn(id);
+      for (std::uint32_t i = bin.begin; i < bin.end; ++i) {
+        const DrawnTriangle& triangle = part.chunk->triangles[part.chunk->entries[i].triangle];
+        if (!frame.settings.skips.unseen_triangles && !worth_drawing(frame, triangle)) continue;
+        if (deep_ && !visible(triangle, visibility)) {
+          ++stats.hidden;
+          continue;
+        }
+        const auto id = TriangleId(visibility.triangles.size());
+        visibility.triangles.push_back(&triangle);
+        scan_convert(id, visibility, deep_ ? &columns_ : nullptr);
+        drawn(id);
+      }
     }
   }
 
  private:
-  bool visible(const DrawnTriangle& triangle, const VisibilityTile& visibility,
-               VisibleColumns& columns);
-  void sort_nearest_first();
+  /// Whether it may be nearer than what is there; if so, `columns_` says where.
+  bool visible(const DrawnTriangle& triangle, const VisibilityTile& visibility);
+  static bool worth_drawing(const Frame& frame, const DrawnTriangle& triangle);
 
-  struct Entry {
-    const DrawnTriangle* triangle;
-    float nearest;
+  struct Part {
+    const Chunk* chunk;
+    const Bin* bin;
+    float nearest;  // depth of any of its triangles
   };
-  std::vector<Entry> entries_, sorted_;
-  std::vector<std::uint32_t> position_;
+  std::vector<Part> parts_;
   CoarseDepth coarse_;
+  VisibleColumns columns_;
   bool deep_ = false;
 };
 

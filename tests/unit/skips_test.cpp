@@ -1,0 +1,130 @@
+// Whatever is skipped, the picture is the same to the bit: random scenes with each switch off, and
+// with all of them off.
+#include <glm/gtc/matrix_transform.hpp>
+#include <random>
+
+#include "models/blinn_phong.h"
+#include "models/cook_torrance.h"
+#include "rasterizer/shapes.h"
+#include "tests/unit/test_scene.h"
+
+namespace scanlit {
+namespace {
+
+using namespace test;
+
+constexpr int width = 130, height = 100;
+const Planes planes{.depth = true, .normal = true, .ids = true};
+
+class RandomScene {
+ public:
+  explicit RandomScene(std::uint64_t seed) : random_(seed) {
+    static const char* const shapes[] = {"sphere:6", "sphere:40", "torus:30",
+                                         "teapot:3", "cube",      "plane"};
+    const int count = integer(1, 12);
+    for (int i = 0; i < count; ++i) {
+      const auto shading = Shading(integer(0, 2));
+      auto mesh = std::make_shared<Mesh>(make_shape(shapes[integer(0, 5)]));
+      Object object = integer(0, 1) ? object_of(mesh, models::BlinnPhong<>(), shading)
+                                    : object_of(mesh, models::CookTorrance<>(), shading);
+      glm::mat4 m = glm::translate(glm::mat4(1), {real(-3, 3), real(-2, 2), real(-6, 2)});
+      m = glm::rotate(m, real(0, 6), {real(-1, 1), real(-1, 1), 1.0f});
+      // Mirrored, too, and as small as pixels.
+      const float size = std::pow(10.0f, real(-2, 0.3f));
+      object.world_from_object = glm::scale(m, {size * real(-1, 1), size, size});
+      object.sides = Sides(integer(0, 2));
+      scene.objects.push_back(object);
+    }
+    if (integer(0, 2) == 0) scene.objects.push_back(scene.objects[0]);  // at equal depth
+    for (int i = integer(0, 4); i > 0; --i)
+      scene.lights.push_back({.kind = LightKind(integer(0, 2)),
+                              .intensity = real(0, 2),
+                              .direction = {real(-1, 1), real(-1, 1), real(-1, 1)},
+                              .position = {real(-3, 3), real(-3, 3), real(-3, 3)}});
+    camera.eye = {real(-2, 2), real(-2, 2), real(0.5f, 6)};
+    camera.projection = integer(0, 3) ? Projection::perspective : Projection::orthographic;
+    camera.viewer_at_infinity = integer(0, 2) == 0;
+    camera.near = integer(0, 1) ? 0.01 : 1.5;
+    camera.far = integer(0, 1) ? 100 : 7;
+    settings.samples = integer(0, 3) ? 1 : 4;
+    settings.threads = integer(1, 2);
+  }
+
+  Framebuffer draw(const Skips& skips) {
+    settings.skips = skips;
+    Framebuffer picture(width, height, planes);
+    stats = render(scene, camera, settings, picture);
+    return picture;
+  }
+
+  Scene scene;
+  Camera camera;
+  RenderSettings settings;
+  FrameStats stats;
+
+ private:
+  int integer(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
+  float real(float low, float high) { return std::uniform_real_distribution(low, high)(random_); }
+
+  std::mt19937_64 random_;
+};
+
+void expect_same(const Framebuffer& a, const Framebuffer& b) {
+  EXPECT_EQ(a.colour, b.colour);
+  EXPECT_EQ(a.depth, b.depth);
+  EXPECT_EQ(a.normal, b.normal);
+  EXPECT_EQ(a.object_id, b.object_id);
+  EXPECT_EQ(a.triangle_id, b.triangle_id);
+}
+
+TEST(Skips, LeaveThePictureTheSameToTheBit) {
+  std::int64_t hidden = 0, outside = 0, facing_away = 0, dark = 0;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE(seed);
+    RandomScene scene(seed);
+    const Framebuffer all = scene.draw({});
+    hidden += scene.stats.hidden, outside += scene.stats.clusters_outside;
+    facing_away += scene.stats.clusters_back_facing, dark += scene.stats.evaluations_skipped;
+    Skips none;
+    for (const SkipSwitch& skip : skip_switches()) {
+      SCOPED_TRACE(skip.name);
+      Skips one_off;
+      one_off.*skip.member = none.*skip.member = false;
+      expect_same(scene.draw(one_off), all);
+    }
+    expect_same(scene.draw(none), all);
+  }
+  // The scenes give each of them something to do.
+  EXPECT_GT(hidden, 100);
+  EXPECT_GT(outside, 100);
+  EXPECT_GT(facing_away, 100);
+  EXPECT_GT(dark, 10000);
+}
+
+/// Layers over layers, one mesh in any order: what the coarse depth is for.
+TEST(Skips, HiddenLayersLeaveNoTrace) {
+  std::mt19937_64 random(7);
+  std::uniform_real_distribution<float> real(-1, 1);
+  for (const int samples : {1, 4}) {
+    std::vector<glm::vec3> positions;
+    for (int i = 0; i < 3000; ++i) {
+      const glm::vec3 centre(90 * real(random), 70 * real(random), -1.2f - real(random));
+      const float size = 40 * std::abs(real(random));
+      for (int k = 0; k < 3; ++k)
+        positions.push_back(
+            centre + glm::vec3(size * real(random), size * real(random), 0.2f * real(random)));
+    }
+    for (glm::vec3& p : positions) p.x /= 30, p.y /= 30, p.z *= 2;
+    Scene scene = scene_of({object_of(triangle_soup(positions), models::BlinnPhong<>())});
+    RenderSettings settings{.samples = samples};
+    Framebuffer with(width, height, planes), without(width, height, planes);
+    const FrameStats stats = render(scene, eye_at_origin(), settings, with);
+    settings.skips.hidden_triangles = false;
+    render(scene, eye_at_origin(), settings, without);
+    expect_same(with, without);
+    EXPECT_GT(stats.hidden, 1000) << samples;
+  }
+}
+
+}  // namespace
+}  // namespace scanlit
