@@ -1,6 +1,6 @@
 // Libraries that are loaded when they are first needed. OpenImageIO brings 250 others along:
-// loading them takes ten times as long as a first picture, and most runs, `--help` among them,
-// touch no image file.
+// loading them takes ten times as long as a first picture, and `--help`, tables and curves need no
+// image.
 #pragma once
 
 namespace scanlit {
