@@ -259,27 +259,4 @@ void light_chunk(const Frame& frame, Chunk& chunk, FrameStats& stats) {
   light_sites(frame, *chunk.draw, chunk.lit, stats);
 }
 
-Rect TileGrid::tile(int column, int row) const {
-  const int x = column << width_shift, y = row << height_shift;
-  return {x, y, std::min(x + (1 << width_shift), viewport.width),
-          std::min(y + (1 << height_shift), viewport.height)};
-}
-
-TileGrid make_tile_grid(const Viewport& viewport, int samples) {
-  // Depth and id of a tile's samples, 8 bytes each, should fill about half of a 1 MiB second-level
-  // cache; whole scanlines where 16 of them fit.
-  const auto shift_of = [](int size) { return int(std::bit_width(unsigned(size))) - 1; };
-  const int budget = shift_of(64 * 1024 / samples), min_height = 4, max_height = 6;
-  TileGrid grid{
-      .width_shift = std::min({shift_of(2 * viewport.width - 1), budget - min_height, 10}),
-      .height_shift = 0,
-      .columns = 0,
-      .rows = 0,
-      .viewport = viewport};
-  grid.height_shift = std::clamp(budget - grid.width_shift, min_height, max_height);
-  grid.columns = grid.column(viewport.width - 1) + 1;
-  grid.rows = grid.row(viewport.height - 1) + 1;
-  return grid;
-}
-
 }  // namespace scanlit

@@ -139,14 +139,4 @@ ClusterView ClusterCuller::view(const Sphere& bounds) const {
   return view(extent(bounds.centre, bounds.radius));
 }
 
-float ClusterCuller::nearest_depth(const Cluster& cluster) const {
-  const Extent e = extent(glm::dvec3(cluster.centre), double(cluster.radius));
-  if (!(e.least_w > 0)) return std::numeric_limits<float>::infinity();
-  const double at_centre = e.centre.z / e.centre.w;
-  const double reach = glm::distance(rows_[2], rows_[3] * at_centre) * e.radius;
-  const double nearest = at_centre + (reach + e.error.z) / e.least_w;
-  // z times the rounded 1/w, and this function's own rounding.
-  return float(nearest + std::abs(nearest) * (e.error.w / e.least_w + 4 * u));
-}
-
 }  // namespace scanlit

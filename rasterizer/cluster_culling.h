@@ -47,10 +47,6 @@ class ClusterCuller {
   /// Of anything that the sphere (object space) holds; never back_facing.
   ClusterView view(const Sphere& bounds) const;
 
-  /// No vertex of the cluster has a larger ScreenVertex::depth; infinity if it reaches behind the
-  /// eye.
-  float nearest_depth(const Cluster& cluster) const;
-
  private:
   /// A sphere in clip space.
   struct Extent {

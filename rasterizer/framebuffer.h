@@ -1,4 +1,4 @@
-// (10) Framebuffer: what the pipeline fills, linear light, row 0 on top.
+// (10) Framebuffer: what the pipeline fills, row 0 on top: linear light, or 8-bit codes of it.
 #pragma once
 
 #include <cstddef>
@@ -35,6 +35,8 @@ struct Planes {
 /// over the samples; depth and ids are those of sample 0.
 struct Framebuffer {
   int width = 0, height = 0;
+  // Which frame it holds, as a number that no other frame of this process has; 0: none.
+  std::uint64_t frame = 0;
   ColourFormat format = ColourFormat::linear_float;
   std::vector<float> colour;        // RGBA, linear, premultiplied; alpha is the covered share 0..1
   std::vector<std::uint8_t> rgba8;  // the same in 8 bits, instead of colour; alpha is linear

@@ -4,25 +4,32 @@
 //   (1) mesh             mesh.h             a file or a shape becomes flat arrays      object space
 //       clusters         mesh/clusters.h    and is cut into clusters of triangles      object space
 //   (2) camera, scene    camera.h, scene.h  where things are, and who looks            world
+//       draws            draw.h             an object made ready for one frame         clip space
 //   (3) vertex stage     vertex_stage.cpp   the vertices of a cluster that may be seen clip space
 //   (4) clip             clip.cpp           the few triangles that leave the volume    clip
 //   (5) project, snap    vertex_stage.cpp   divide by w, round to 1/256 pixel          screen space
-//   (6) assembly         assembly.cpp       cull triangles; sort the rest into tiles   screen
+//   (6) assembly         assembly.cpp       clusters and triangles that cannot be seen screen
+//                                           are dropped (cluster_culling.h,
+//                                           triangle_culling.h), the rest sorted into tiles
 //   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
+//                                           (in which order, and what is hidden:
+//                                           tile_triangles.h, coarse_depth.h)
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
 //       surface          surface.h          attributes at faces, vertices, fragments   object
 //       lighting         lighting.cpp       the reflection model, under every light    world
+//                                           (radiance.h: the sum over the lights)
 //       tangents         tangents.h         which way the surface is brushed           world
-//  (10) framebuffer      framebuffer.h      linear light
+//  (10) framebuffer      framebuffer.h      linear light, or 8-bit codes (pixel_codes.h)
 //  (11) image            image.h            a file
 //
 // Reflection models plug into (9) through reflection_model.h; how to write one is said at the top
 // of formula_model.h.
 //
 // Visibility comes first and shading after it, once per visible fragment: what is hidden is never
-// shaded. render.cpp runs (3) to (6) cluster by cluster, and tile.cpp (7) to (10) tile by tile:
-// both small enough to stay in the cache.
+// shaded. render.cpp runs (3) to (6) for chunks of clusters, one cluster after the other, and then
+// (7) to (10) for tiles (tile.cpp), both in parallel and small enough to stay in the cache. What
+// may stand from the last frame, reuse.h says.
 //
 // Conventions, said once:
 //  * Object and world space are right-handed. The camera looks along -z of its own space, +y up.
@@ -40,14 +47,13 @@
 //    same to the bit on every processor. Only shading may differ, by rounding.
 #pragma once
 
-#include <algorithm>
-#include <bit>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
 #include <span>
 
 #include "rasterizer/mesh/clusters.h"
 #include "rasterizer/render.h"
+#include "rasterizer/screen.h"
 
 namespace scanlit {
 
@@ -76,22 +82,6 @@ enum Outside : std::uint8_t {
   outside_bottom = 16,
   outside_top = 32,
   out_of_range = 64,  // a coordinate beyond 1e18, or NaN: such a vertex's triangles are not drawn
-};
-
-/// The picture's size, and its guard band: triangles are cut at the picture's sides only where they
-/// reach 2^14 to 2^15 pixels beyond its centre. A picture is at most 2^14 pixels wide, so on the
-/// screen |x| <= 2^15 + 2^13 < 2^16 pixels = 2^24 units of 1/256. Differences of two positions are
-/// then below 2^25, an edge function (a difference of two products of differences) is below 2^51,
-/// and the numerator of an edge's crossing (EdgeWalker) below 2^52: 64-bit integers cannot
-/// overflow, and a double holds every edge function exactly.
-struct Viewport {
-  int width = 0, height = 0;
-
-  /// In clip space: |x| <= guard_x w. A power of two, so that the product is exact and outcodes (in
-  /// float) and clip (in double) agree on which side a vertex is: where they did not, of two
-  /// neighbours the one that another vertex sent to clip would move a shared vertex.
-  float guard_x() const { return float(std::bit_floor(65536u / unsigned(width))); }
-  float guard_y() const { return float(std::bit_floor(65536u / unsigned(height))); }
 };
 
 /// An object made ready for one frame.
@@ -135,9 +125,6 @@ void clip(const ClipVertex (&triangle)[3], unsigned outcodes, const Viewport& vi
 
 // --------------------------------------------------------------------------- (5) project and snap
 
-constexpr int subpixel = 256;             // units of a screen position in a pixel
-constexpr int half_pixel = subpixel / 2;  // a pixel's centre, in the pixel
-
 /// A triangle on the screen. twice_area is in (1/256 pixel)^2: positive if it faces the viewer,
 /// negative if not, 0 if it has no area there.
 struct ScreenTriangle {
@@ -158,42 +145,6 @@ inline ScreenTriangle screen_triangle(const ScreenVertex& a, const ScreenVertex&
 }
 
 // ---------------------------------------------------------------------------------- (6) assembly
-
-/// Pixels [x_begin, x_end) x [y_begin, y_end).
-struct Rect {
-  int x_begin, y_begin, x_end, y_end;
-
-  bool empty() const { return x_begin >= x_end || y_begin >= y_end; }
-  friend bool operator==(const Rect&, const Rect&) = default;
-};
-
-inline Rect intersection(const Rect& a, const Rect& b) {
-  return {std::max(a.x_begin, b.x_begin), std::max(a.y_begin, b.y_begin),
-          std::min(a.x_end, b.x_end), std::min(a.y_end, b.y_end)};
-}
-inline Rect united(const Rect& a, const Rect& b) {
-  return {std::min(a.x_begin, b.x_begin), std::min(a.y_begin, b.y_begin),
-          std::max(a.x_end, b.x_end), std::max(a.y_end, b.y_end)};
-}
-/// Of a rectangle that is not empty, in pixels.
-inline std::int64_t area(const Rect& r) {
-  return std::int64_t(r.x_end - r.x_begin) * (r.y_end - r.y_begin);
-}
-
-/// The picture cut into tiles: bands of scanlines where a whole band stays in the cache, pieces of
-/// them where width or samples are too many for that. Sides are powers of two, so that finding a
-/// pixel's tile needs no division.
-struct TileGrid {
-  int width_shift, height_shift, columns, rows;
-  Viewport viewport;
-
-  int count() const { return columns * rows; }
-  int column(int x) const { return x >> width_shift; }
-  int row(int y) const { return y >> height_shift; }
-  Rect tile(int column, int row) const;
-  Rect tile(int index) const { return tile(index % columns, index / columns); }
-};
-TileGrid make_tile_grid(const Viewport& viewport, int samples);
 
 /// A triangle that scan conversion will see, or a piece of one that was cut: one line of the cache.
 struct alignas(64) DrawnTriangle {
@@ -316,8 +267,9 @@ struct SampleOffset {
 /// whose grid of 1/16 pixel snaps exactly.
 std::span<const SampleOffset> sample_offsets(int samples);
 
-/// Scan-converts one of the tile's triangles, at least in the columns where it may be seen.
 struct VisibleColumns;
+/// Scan-converts one of the tile's triangles, at least in the columns where it may be seen; null:
+/// in all of them.
 void scan_convert(TriangleId id, VisibilityTile& visibility, const VisibleColumns* columns);
 
 // ---------------------------------------------------------------------------- (8), (9) fragments

@@ -39,7 +39,7 @@ struct Needs {
 
 /// The smallest n_v a formula ever sees. An interpolated normal can tilt away from the viewer near
 /// a silhouette although the fragment is visible; without the clamp D G F / (N.V) divides by zero
-/// or a visible fragment is treated as unseen. `cosines()` in formula_model.h applies it, nowhere
+/// or a visible fragment is treated as unseen. `cosines()` in cosines.h applies it, nowhere
 /// else.
 constexpr double min_n_v = 1e-4;
 

@@ -9,6 +9,7 @@
 #include <xmmintrin.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <mutex>
 
@@ -236,6 +237,7 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
   const Changes changes =
       settings.reuse ? state.last.until(scene, camera, settings, framebuffer) : Changes();
   state.last.forget();  // unless this frame ends as it should
+  framebuffer.frame = 0;
   Frame frame{.scene = scene,
               .camera = camera,
               .settings = settings,
@@ -250,6 +252,8 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
   state.arena->execute([&] { stats = state.run_stages(frame, changes, framebuffer); });
   state.draws = std::move(frame.draws);
   state.chunks = std::move(frame.chunks);
+  static std::atomic<std::uint64_t> frames{0};
+  framebuffer.frame = ++frames;
   if (settings.reuse) state.last.keep(scene, camera, settings, framebuffer);
   stats.threads = threads;
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -69,15 +69,15 @@ struct FrameStats {
   std::int64_t outside = 0;      // wholly outside the view
   std::int64_t back_facing = 0;  // facing away, where only front faces are drawn
   std::int64_t no_pixel = 0;     // zero area on the screen, or between the sample positions
-  std::int64_t drawn = 0;        // scan-converted
+  std::int64_t drawn = 0;        // sorted into tiles, for scan conversion
   std::int64_t clipped = 0;      // of them, those that had to be cut
   std::int64_t hidden = 0;       // of them, times dropped by the coarse depth, once a tile
   std::int64_t fragments = 0;    // shaded: pixels covered, and more where samples differ
   std::int64_t covered_pixels = 0;
-  std::int64_t evaluations = 0;  // points at which a reflection model was evaluated, per light
-  std::int64_t evaluations_skipped = 0;  // of them, those of points that the light does not reach
+  std::int64_t evaluations = 0;          // asked for: points times lights
+  std::int64_t evaluations_skipped = 0;  // of them, because the light does not reach the point
   std::int64_t tiles_kept = 0;           // that stand from the last frame
-  std::int64_t spans = 0;                // spans of points in which they were, per light
+  std::int64_t spans = 0;                // of points that were lit, once a light
   std::array<double, std::size_t(Stage::count)> seconds{};
   double wall_seconds = 0;
   int threads = 0;
@@ -92,8 +92,8 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Draws the scene into the framebuffer, replacing what it held. With settings.reuse the
-  /// framebuffer must still hold what this Renderer drew into it last, if it is the same one.
+  /// Draws the scene into the framebuffer, replacing what it held. With settings.reuse
+  /// nobody else may have changed its pixels since this Renderer drew them (Framebuffer::frame).
   /// Throws Error where camera, scene or settings are out of range.
   FrameStats render(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                     Framebuffer& framebuffer);

@@ -21,8 +21,8 @@ struct Changes {
 
 class LastFrame {
  public:
-  /// Everything, if the camera, the picture's size or planes, the settings, or the list of meshes
-  /// are others; or if there is no last frame.
+  /// Everything, if the camera, the settings or the list of meshes are others, or if the
+  /// framebuffer does not hold the last frame.
   Changes until(const Scene& scene, const Camera& camera, const RenderSettings& settings,
                 const Framebuffer& framebuffer) const;
 
@@ -35,8 +35,7 @@ class LastFrame {
     Scene scene;  // with its meshes and models: their addresses are not used again
     Camera camera;
     RenderSettings settings;
-    std::vector<const void*> planes;
-    int width, height;
+    std::uint64_t frame;  // that the framebuffer holds
   };
   std::optional<Kept> kept_;
 };

@@ -58,7 +58,7 @@ struct Material {
 enum class Sides { automatic, front, both };
 
 struct Object {
-  std::shared_ptr<const Mesh> mesh;
+  std::shared_ptr<const Mesh> mesh;   // not changed while a Renderer lives that has drawn it
   glm::mat4 world_from_object{1.0f};  // affine
   Material material;
   Shading shading = Shading::phong;

@@ -6,6 +6,8 @@
 
 namespace scanlit {
 
+static_assert(VisibleColumns::max_block_rows * VisibleColumns::block_height >= max_tile_height);
+
 void TileTriangles::gather(const Frame& frame, int tile, VisibilityTile& visibility) {
   const Skips& skips = frame.settings.skips;
   const Rect rect = frame.grid.tile(tile);

@@ -86,7 +86,7 @@ void print_shading(std::ostream& out, const FrameStats& stats) {
   evaluations.row("in the dark", stats.evaluations_skipped, "skipped");
   const std::int64_t done = stats.evaluations - stats.evaluations_skipped;
   evaluations.row("done", done);
-  print_row(out, "spans", grouped(stats.spans), "", "virtual calls in which they were made");
+  print_row(out, "spans", grouped(stats.spans), "", "of points that were lit, once a light");
   if (stats.spans > 0)
     print_row(out, "mean span", fixed(double(done) / double(stats.spans), 1), "", "points");
 }

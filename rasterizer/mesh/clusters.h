@@ -12,7 +12,7 @@
 namespace scanlit {
 
 /// A group of neighbouring triangles, and what holds for each of them. All bounds are in object
-/// space and rounded to the safe side.
+/// space and rounded to the safe side, but for the cone's, which are rounded to nearest.
 struct Cluster {
   static constexpr int max_triangles = 128;
   static constexpr int max_vertices = 255;

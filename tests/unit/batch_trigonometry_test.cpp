@@ -1,5 +1,5 @@
 // Trigonometry in Batch, float and double, held to the errors that batch_trigonometry.h and
-// formula_model.h state.
+// cosines.h state.
 #include "rasterizer/batch_trigonometry.h"
 
 #include <gtest/gtest.h>

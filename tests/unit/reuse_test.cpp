@@ -117,6 +117,10 @@ TEST_P(Reuse, AnotherFramebufferIsDrawnWhole) {
   s.next("first");
   s.picture = Framebuffer(width, height, s.planes);
   s.next("another of the same kind");
+  // At the same addresses, as memory that was freed is handed out again.
+  s.picture = {};
+  s.picture = Framebuffer(width, height, s.planes);
+  s.next("another in its place");
   s.planes = {.format = ColourFormat::srgb_8bit};
   s.picture = Framebuffer(width, height, s.planes);
   s.next("another format");

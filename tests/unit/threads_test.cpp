@@ -69,7 +69,7 @@ Scene busy_scene() {
   unsigned seed = 1;
   for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong})
     for (const Sides sides : {Sides::front, Sides::both}) {
-      // More than one chunk of triangles in some, none at all in others.
+      // More than one chunk of clusters in some, none at all in others.
       Object object = object_of(tangle(seed, 300, seed == 3 ? 18000 : 1000), White(), shading);
       object.material.model =
           std::make_shared<FormulaModel<models::BlinnPhong<>>>(models::BlinnPhong<>());
