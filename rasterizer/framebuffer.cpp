@@ -31,6 +31,7 @@ Framebuffer::Framebuffer(int width_pixels, int height_pixels, const Planes& plan
   }
   if (planes.parts)
     for (auto* part : {&ambient, &diffuse, &glossy}) part->resize(3 * pixel_count());
+  if (planes.cost) cost.resize(2 * pixel_count());
 }
 
 }  // namespace scanlit

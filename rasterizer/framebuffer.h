@@ -24,6 +24,7 @@ struct Planes {
   bool normal = false;  // world space, unit, as shaded; (0,0,0) where nothing is covered
   bool ids = false;     // object: index in Scene::objects; triangle: index in its Mesh
   bool parts = false;   // ambient, diffuse and glossy, whose sum is the colour
+  bool cost = false;    // what was done for each pixel; counting it takes time
   ColourFormat format = ColourFormat::linear_float;
 
   friend bool operator==(const Planes&, const Planes&) = default;
@@ -41,6 +42,9 @@ struct Framebuffer {
   std::vector<float> normal;  // xyz
   std::vector<std::uint32_t> object_id, triangle_id;
   std::vector<float> ambient, diffuse, glossy;  // rgb
+  std::vector<float> cost;  // depth tests of fragments at the pixel's samples; points at which a
+                            // reflection model was evaluated for it, times lights. Of the frame
+                            // that last drew the pixel's tile (RenderSettings::reuse)
 
   Framebuffer() = default;
   /// Allocates; cleared to nothing covered. Throws Error as validate_size does.
@@ -48,7 +52,8 @@ struct Framebuffer {
 
   std::size_t pixel_count() const { return std::size_t(width) * std::size_t(height); }
   Planes planes() const {
-    return {!depth.empty(), !normal.empty(), !object_id.empty(), !ambient.empty(), format};
+    return {!depth.empty(),   !normal.empty(), !object_id.empty(),
+            !ambient.empty(), !cost.empty(),   format};
   }
 };
 

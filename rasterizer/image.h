@@ -40,7 +40,8 @@ ImageReport write_image(const std::filesystem::path& file, const Framebuffer& fr
 void check_image_target(const std::filesystem::path& file, int width, int height);
 
 /// Writes every plane the framebuffer holds as named channels of one EXR: R G B A; depth.Z;
-/// normal.X .Y .Z; id.object, id.triangle (uint); ambient.R .., diffuse.R .., glossy.R ...
+/// normal.X .Y .Z; id.object, id.triangle (uint); ambient.R .., diffuse.R .., glossy.R ..;
+/// cost.tests, cost.evaluations.
 /// Throws Error as write_image, and where the suffix is not .exr.
 void write_aovs(const std::filesystem::path& file, const Framebuffer& framebuffer);
 

@@ -193,6 +193,7 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
   const std::int64_t asked = std::int64_t(frame.scene.lights.size()) * surface.size;
   stats.evaluations += asked;
   stats.evaluations_skipped += asked;
+  if (lit.with_evaluations) std::ranges::fill(lit.evaluations, 0.0f);
   if (illumination.constant) {
     fill(illumination.ambient, lit.colour);
     if (!lit.with_parts) return;
@@ -229,7 +230,8 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
   }
 
   const bool share = material.ambient_share != 0, parts = lit.with_parts || share;
-  RadianceSpan out{.ambient = illumination.ambient};
+  RadianceSpan out{.ambient = illumination.ambient,
+                   .evaluations = lit.with_evaluations ? lit.evaluations : nullptr};
   for (int c = 0; c < 3; ++c) {
     out.diffuse[c] = parts ? lit.diffuse[c] : nullptr;
     out.glossy[c] = parts ? lit.glossy[c] : nullptr;

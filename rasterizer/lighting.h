@@ -10,10 +10,12 @@ namespace scanlit {
 /// initialised: clearing it would cost as much as a light.
 struct LitSpan {
   bool with_parts = true;
+  bool with_evaluations = false;
   float colour[3][SurfaceSpan::padded];
   float ambient[3][SurfaceSpan::padded];
   float diffuse[3][SurfaceSpan::padded];
   float glossy[3][SurfaceSpan::padded];
+  float evaluations[SurfaceSpan::padded];  // of the reflection model: lights that reach the point
 };
 
 /// What is the same at all points of an object.

@@ -68,6 +68,14 @@ inline void store(const Batch (&sum)[6], const RadianceSpan& out, std::size_t i)
   if (out.colour[0]) store(ambient + (diffuse + glossy), out.colour, i);
 }
 
+/// The vectors of points that begin at at[0 .. count) and end before `end` were evaluated once
+/// more. Not inlined: the loops that rarely want it would run short of registers.
+[[gnu::noinline]] inline void count_evaluations(float* evaluations, const std::size_t* at,
+                                                std::size_t count, std::size_t end) {
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = at[k]; i < std::min(at[k] + Batch::lanes, end); ++i) evaluations[i] += 1;
+}
+
 /// Vectors of directions or of cosines, kept from one loop to the next. Not initialised, and one
 /// array a component: of those that a formula does not look at, nothing is left.
 template <std::size_t vectors>
@@ -120,6 +128,7 @@ std::size_t radiance_of_block(const ViewedSpan& in, std::span<const LightSource>
       to_light.put(k, l), h.put(k, half.h);
       evaluations += std::min(lanes, end - i);
     }
+    if (out.evaluations) count_evaluations(out.evaluations, at, reached, end);
     for (std::size_t k = 0; k < reached; ++k) {
       const Cosines<Batch> c{.n_l = n_l[k],
                              .n_v = n_v[k],

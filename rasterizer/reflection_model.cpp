@@ -53,6 +53,7 @@ std::size_t ReflectionModel::radiance(const ViewedSpan& in, std::span<const Ligh
     if (in.skip_dark && dark) continue;
     evaluate(directions, reflection);
     evaluations += in.size;
+    for (std::size_t i = 0; i < in.size && out.evaluations; ++i) out.evaluations[i] += 1;
     for (std::size_t i = 0; i < in.size; i += lanes) {
       add_light(light, Batch::load(share + i),
                 {load_rgb(reflection.diffuse, i), load_rgb(reflection.glossy, i)}, sum[i / lanes]);

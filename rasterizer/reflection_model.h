@@ -97,6 +97,7 @@ struct RadianceSpan {
   float* glossy[3] = {};
   float* colour[3] = {};  // ambient + (diffuse + glossy)
   Rgb<float> ambient{};
+  float* evaluations = nullptr;  // adds 1 to each point's for each light it is evaluated under
 };
 
 class ReflectionModel {

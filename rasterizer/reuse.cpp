@@ -8,9 +8,9 @@ namespace {
 
 /// Where the planes are: pixels that were drawn elsewhere do not stand here.
 std::vector<const void*> planes_of(const Framebuffer& f) {
-  return {f.colour.data(),  f.rgba8.data(),     f.depth.data(),
-          f.normal.data(),  f.object_id.data(), f.triangle_id.data(),
-          f.ambient.data(), f.diffuse.data(),   f.glossy.data()};
+  return {f.colour.data(),    f.rgba8.data(),       f.depth.data(),   f.normal.data(),
+          f.object_id.data(), f.triangle_id.data(), f.ambient.data(), f.diffuse.data(),
+          f.glossy.data(),    f.cost.data()};
 }
 
 bool same_picture(const RenderSettings& a, const RenderSettings& b) {

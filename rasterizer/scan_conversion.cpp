@@ -110,9 +110,6 @@ void draw_spans(const ScreenTriangle& triangle, const Drawn& drawn, const Target
   });
 }
 
-/// A box of at most 16 x 16 pixels: edge functions are below 2^27 there, and 32 bits hold them.
-constexpr int small_size = 16;
-
 /// The three edge functions of a triangle over a small box, positive or zero inside.
 struct SmallEdges {
   std::int32_t first[3];  // at the box's first pixel centre
@@ -223,11 +220,7 @@ void draw_small(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& 
 
 void draw(const ScreenTriangle& triangle, const Drawn& drawn, const Target& target) {
   const Rect box = centre_bounds(triangle);
-  if (box.x_end - box.x_begin > small_size || box.y_end - box.y_begin > small_size)
-    return draw_spans(triangle, drawn, target);
-  // The anchor must be the row's first covered pixel, so the box is cut at the tile's rows but, on
-  // its left, not at its columns; boxes that straddle tiles go the general way.
-  if (box.x_begin < target.rect.x_begin) return draw_spans(triangle, drawn, target);
+  if (!in_small_box(box, target.rect)) return draw_spans(triangle, drawn, target);
   const Rect part{box.x_begin, std::max(box.y_begin, target.rect.y_begin),
                   std::min(box.x_end, target.rect.x_end), std::min(box.y_end, target.rect.y_end)};
   if (box.x_end - box.x_begin <= tiny_size && box.y_end - box.y_begin <= tiny_size)

@@ -24,6 +24,17 @@ inline Rect centre_bounds(const ScreenTriangle& triangle) {
   return {(x_min + up) >> 8, (y_min + up) >> 8, (x_max + up) >> 8, (y_max + up) >> 8};
 }
 
+/// Whether a triangle with this box is scan-converted by its edge functions at every pixel of it,
+/// wherever it may be seen. At most 16 x 16 pixels: edge functions are below 2^27 there, and 32
+/// bits hold them. The anchor of depth must be the row's first covered pixel, so the box is cut at
+/// the tile's rows but, on its left, not at its columns; boxes that straddle tiles go the general
+/// way.
+inline bool in_small_box(const Rect& box, const Rect& tile) {
+  constexpr int small_size = 16;
+  return box.x_end - box.x_begin <= small_size && box.y_end - box.y_begin <= small_size &&
+         box.x_begin >= tile.x_begin;
+}
+
 inline std::int64_t floor_divide(std::int64_t a, std::int64_t positive) {
   const std::int64_t q = a / positive;
   return q - (a % positive < 0);

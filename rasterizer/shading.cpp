@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "rasterizer/batch.h"
+#include "rasterizer/cost.h"
 #include "rasterizer/scalar_math.h"
 
 namespace scanlit {
@@ -73,6 +74,7 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const Colou
                        Framebuffer& framebuffer) {
   if (span.size == 0) return;
   const bool parts = !framebuffer.ambient.empty();
+  lit_.with_evaluations = !framebuffer.cost.empty();
   switch (span.draw->object->shading) {
     case Shading::flat: flat(frame, span, parts); break;        // evaluated once per face
     case Shading::gouraud: gouraud(frame, span, parts); break;  // at vertices; colour interpolated
@@ -86,6 +88,8 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const Colou
     add_to(framebuffer.glossy, span, lit_.glossy);
   }
   if (!framebuffer.normal.empty()) write_normals(frame, span, framebuffer);
+  if (!framebuffer.cost.empty() && span.draw->object->shading == Shading::phong)
+    add_evaluations(span, lit_.evaluations, framebuffer);
 }
 
 void SpanShader::phong(const Frame& frame, const FragmentSpan& span, bool parts) {

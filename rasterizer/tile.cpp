@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "rasterizer/cost.h"
 #include "rasterizer/scan_conversion.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/triangle_culling.h"
@@ -120,18 +121,26 @@ void draw_tile(const Frame& frame, int tile, Redo redo, Worker& worker, Visibili
     }
     stats.seconds[std::size_t(stage)] -= stats.seconds[std::size_t(Stage::shading)] - before;
   };
+  const bool count = !framebuffer.cost.empty();
   without_shading(Stage::scan_conversion, [&] {
+    for_each_row(rect, framebuffer, framebuffer.cost, 2,
+                 [](std::span<float> row) { std::ranges::fill(row, 0.0f); });
     clear(rect, target, frame.scene.background, framebuffer);
     if (redo == Redo::shading) return;
     worker.triangles.gather(frame, tile, visibility);
     const bool forward = !frame.settings.skips.hidden_fragments && visibility.samples == 1;
-    worker.triangles.scan_convert_all(frame, visibility, stats, [&](TriangleId id) {
+    const auto nothing = [](TriangleId, const VisibleColumns*) {};
+    if (!forward && !count)
+      return worker.triangles.scan_convert_all(frame, visibility, stats, nothing);
+    const auto after_each = [&](TriangleId id, const VisibleColumns* columns) {
+      if (count) count_depth_tests(id, visibility, columns, framebuffer);
       if (!forward) return;
       const auto& v = visibility.triangles[id]->vertices;
       const Rect box =
           intersection(centre_bounds(screen_triangle(v[0], v[1], v[2])), visibility.touched);
       Resolver(frame, visibility, worker.collector, shade).run(id, box);
-    });
+    };
+    worker.triangles.scan_convert_all(frame, visibility, stats, after_each);
     if (forward) clear(rect, target, frame.scene.background, framebuffer);
   });
   without_shading(Stage::resolve, [&] {

@@ -13,7 +13,8 @@ class TileTriangles {
   void gather(const Frame& frame, int tile, VisibilityTile& visibility);
 
   /// Scan-converts what may be seen, the nearest bin first where many triangles hide one another;
-  /// fills visibility.triangles, and calls drawn(id) after each.
+  /// fills visibility.triangles, and calls drawn(id, columns) after each, as scan_convert was
+  /// called.
   template <class AfterEach>
   void scan_convert_all(const Frame& frame, VisibilityTile& visibility, FrameStats& stats,
                         const AfterEach& drawn) {
@@ -32,8 +33,9 @@ class TileTriangles {
         }
         const auto id = TriangleId(visibility.triangles.size());
         visibility.triangles.push_back(&triangle);
-        scan_convert(id, visibility, deep_ ? &columns_ : nullptr);
-        drawn(id);
+        const VisibleColumns* const seen_in = deep_ ? &columns_ : nullptr;
+        scan_convert(id, visibility, seen_in);
+        drawn(id, seen_in);
       }
     }
   }

@@ -14,13 +14,14 @@ struct FloatPlane {
   int channels;
   std::array<const char*, 4> names;
 };
-inline constexpr std::array<FloatPlane, 6> float_planes = {{
+inline constexpr std::array<FloatPlane, 7> float_planes = {{
     {&Framebuffer::colour, 4, {"R", "G", "B", "A"}},
     {&Framebuffer::depth, 1, {"depth.Z"}},
     {&Framebuffer::normal, 3, {"normal.X", "normal.Y", "normal.Z"}},
     {&Framebuffer::ambient, 3, {"ambient.R", "ambient.G", "ambient.B"}},
     {&Framebuffer::diffuse, 3, {"diffuse.R", "diffuse.G", "diffuse.B"}},
     {&Framebuffer::glossy, 3, {"glossy.R", "glossy.G", "glossy.B"}},
+    {&Framebuffer::cost, 2, {"cost.tests", "cost.evaluations"}},
 }};
 
 struct IdPlane {

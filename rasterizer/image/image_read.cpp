@@ -56,6 +56,7 @@ Framebuffer openimageio::read_image(const std::filesystem::path& file, Encoding 
   planes.normal = reader.has("normal.X");
   planes.ids = reader.has("id.object");
   planes.parts = reader.has("ambient.R");
+  planes.cost = reader.has("cost.tests");
   Framebuffer framebuffer(reader.spec().width, reader.spec().height, planes);
 
   for (const FloatPlane& plane : float_planes) {

@@ -117,11 +117,12 @@ TEST_F(ImageTest, CountsClippedPixelsWhereSomethingIsCovered) {
 
 TEST_F(ImageTest, AovsComeBackToTheBit) {
   Framebuffer original =
-      gradient(33, 70, {.depth = true, .normal = true, .ids = true, .parts = true});
+      gradient(33, 70, {.depth = true, .normal = true, .ids = true, .parts = true, .cost = true});
   for (std::size_t i = 0; i < original.pixel_count(); ++i) {
     original.depth[i] = 1 / float(i + 3);
     original.object_id[i] = i % 7 == 0 ? no_id : std::uint32_t(i % 5);
     original.triangle_id[i] = (1u << 24) + std::uint32_t(i);  // not every one is a float
+    for (std::size_t c = 0; c < 2; ++c) original.cost[2 * i + c] = float(7 * c + i);
     for (int c = 0; c < 3; ++c) {
       original.normal[3 * i + c] = float(c) - float(i);
       original.ambient[3 * i + c] = 0.1f * float(i + c);
@@ -140,6 +141,7 @@ TEST_F(ImageTest, AovsComeBackToTheBit) {
   EXPECT_EQ(back.ambient, original.ambient);
   EXPECT_EQ(back.diffuse, original.diffuse);
   EXPECT_EQ(back.glossy, original.glossy);
+  EXPECT_EQ(back.cost, original.cost);
 }
 
 TEST_F(ImageTest, AovsHoldOnlyThePlanesThereAre) {
