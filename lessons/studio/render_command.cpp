@@ -4,12 +4,15 @@
 #include <iostream>
 #include <memory>
 #include <set>
+#include <sstream>
 
 #include "lessons/studio/commands.h"
+#include "lessons/studio/cost_picture.h"
 #include "lessons/studio/program.h"
 #include "lessons/studio/progress_bar.h"
 #include "lessons/studio/render_options.h"
 #include "lessons/studio/stats_report.h"
+#include "lessons/studio/table.h"
 #include "lessons/studio/text.h"
 #include "rasterizer/error.h"
 
@@ -30,12 +33,18 @@ void check_target(const std::filesystem::path& target, const RenderOptions& opti
 
 void check_targets(const RenderOptions& options, const Picture& picture) {
   check_target(options.output_file(), options, picture);
-  if (options.aov.empty()) return;
-  if (std::filesystem::path(options.aov).extension() != ".exr")
-    throw Error("--aov", "'" + options.aov + "' is not an .exr file, which alone holds channels");
-  if (full_path(options.aov) == full_path(options.output_file()))
-    throw Error("--aov", "'" + options.aov + "' is the picture's own file");
-  check_target(options.aov, options, picture);
+  for (const std::filesystem::path& aov : options.aov_files()) {
+    if (aov.extension() != ".exr")
+      throw Error("--aov", "'" + aov.string() +
+                               "' is not an .exr file, which alone holds channels, nor the word " +
+                               RenderOptions::aov_cost);
+    if (full_path(aov) == full_path(options.output_file()))
+      throw Error("--aov", "'" + aov.string() + "' is the picture's own file");
+    check_target(aov, options, picture);
+  }
+  if (!options.wants_cost_picture()) return;
+  check_cost_picture(picture.width, picture.height);
+  check_target(cost_file(options.output_file()), options, picture);
 }
 
 /// Each mesh's warnings once, however many objects share it.
@@ -74,8 +83,10 @@ void report_picture(const RenderOptions& options, const Picture& picture, const 
             << " pixels, " << grouped(stats.triangles)
             << (stats.triangles == 1 ? " triangle, " : " triangles, ")
             << std::max(1L, std::lround(1e3 * stats.wall_seconds)) << " ms\n";
-  if (!options.aov.empty()) std::cout << options.aov << ": depth, normals, ids and parts\n";
-  if (options.stats) print_stats(std::cout, stats);
+  for (const std::filesystem::path& aov : options.aov_files())
+    std::cout << aov.string() << ": depth, normals, ids, parts and cost\n";
+  if (options.wants_cost_picture())
+    std::cout << cost_file(options.output_file()).string() << ": what was done for each pixel\n";
 }
 
 FrameStats draw(const Scene& scene, const Camera& camera, RenderSettings settings,
@@ -88,6 +99,8 @@ FrameStats draw(const Scene& scene, const Camera& camera, RenderSettings setting
 void render_picture(const RenderOptions& options) {
   const Description description = describe(options.input, options.given());
   const Picture& picture = description.picture;
+  RenderSettings settings = picture.settings;
+  settings.skips = options.skips();
   check_targets(options, picture);
 
   Scene scene = make_scene(description);
@@ -97,28 +110,39 @@ void render_picture(const RenderOptions& options) {
   const Camera camera = make_camera(description.view, scene, aspect);
   scene.lights = make_lights(description, camera);
 
-  const bool all = !options.aov.empty();
-  Framebuffer framebuffer(picture.width, picture.height,
-                          {.depth = all, .normal = all, .ids = all, .parts = all});
-  const FrameStats stats = draw(scene, camera, picture.settings, framebuffer);
+  const bool all = !options.aov_files().empty(), cost = options.wants_cost_picture();
+  Framebuffer framebuffer(
+      picture.width, picture.height,
+      {.depth = all, .normal = all, .ids = all, .parts = all, .cost = all || cost});
+  const FrameStats stats = draw(scene, camera, settings, framebuffer);
   const HoldInterrupts until_written;
   const ImageReport image = write_image(options.output_file(), framebuffer, picture.image);
-  if (!options.aov.empty()) write_aovs(options.aov, framebuffer);
+  for (const std::filesystem::path& aov : options.aov_files()) write_aovs(aov, framebuffer);
+  if (cost) write_image(cost_file(options.output_file()), draw_cost(framebuffer, settings.samples));
   report_picture(options, picture, stats, image, framebuffer);
+  if (options.stats) print_stats(std::cout, stats, scene, settings.skips);
 }
 
 }  // namespace
 
 Command add_render_command(CLI::App& program) {
   CLI::App* app = program.add_subcommand("render", "Draws a mesh, a built-in shape or a scene");
-  app->footer(std::string("Examples:\n"
-                          "  scanlit render teapot:16 --shading gouraud -o teapot.png\n"
-                          "  scanlit render bunny.obj --model blinn-phong:ks=.4,n=50 --samples 16\n"
-                          "  scanlit render scene.toml --aov scene.exr --stats\n"
-                          "\n"
-                          "A scene file, in which everything but the mesh may be left out:\n") +
-              scene_example +
-              "\n\nColours are linear, .8,.2,.1 or one number for grey. In brackets: defaults.");
+  std::ostringstream footer;
+  footer << "Examples:\n"
+            "  scanlit render teapot:16 --shading gouraud -o teapot.png\n"
+            "  scanlit render bunny.obj --model blinn-phong:ks=.4,n=50 --samples 16\n"
+            "  scanlit render scene.toml --aov scene.exr --stats\n"
+            "  scanlit render scene.toml --aov cost --skip-off hidden-triangles -o all.png\n"
+            "\n"
+            "--aov cost draws beside the picture, all-cost.png, what was done for each pixel.\n"
+            "--skip-off does what is left out otherwise, for the same picture; --aov cost and\n"
+            "--stats show what that saves. Either may be given several times. Its NAMEs:\n";
+  print_wrapped(footer, switch_names(), "  ");
+  footer << "\n"
+            "A scene file, in which everything but the mesh may be left out:\n"
+         << scene_example
+         << "\n\nColours are linear, .8,.2,.1 or one number for grey. In brackets: defaults.";
+  app->footer(footer.str());
   const auto options = std::make_shared<RenderOptions>();
   add_render_options(*app, *options);
   return {app, [options] { render_picture(*options); }};

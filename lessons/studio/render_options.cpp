@@ -1,5 +1,7 @@
 #include "lessons/studio/render_options.h"
 
+#include <algorithm>
+
 #include "lessons/studio/text.h"
 #include "rasterizer/error.h"
 #include "rasterizer/shapes.h"
@@ -175,12 +177,24 @@ void add_scene_options(CLI::App& app, SceneOptions& options) {
   }
 }
 
+std::string switch_names() {
+  std::string names;
+  for (const SkipSwitch& skip : skip_switches())
+    names += (names.empty() ? "" : ", ") + std::string(skip.name);
+  return names;
+}
+
 void add_render_options(CLI::App& app, RenderOptions& options) {
   app.add_option("-o,--output", options.output, "picture; its suffix is its format (INPUT.png)")
       ->type_name("FILE");
-  app.add_option("--aov", options.aov, "an EXR with depth, normals, ids and the parts of the light")
-      ->type_name("FILE");
-  app.add_flag("--stats", options.stats, "print times and counts");
+  const auto add_repeatable = [&](const char* name, auto& values, const char* type,
+                                  const char* help) {
+    app.add_option(name, values, help)->type_name(type)->allow_extra_args(false);
+  };
+  add_repeatable("--aov", options.aovs, "WHAT",
+                 "an EXR file of depth, normals, ids, parts of the light, cost; or: cost");
+  app.add_flag("--stats", options.stats, "print times, what was skipped and what was done");
+  add_repeatable("--skip-off", options.skips_off, "NAME", "do what no picture shows; see below");
   add_scene_options(app, options);
 }
 
@@ -196,6 +210,27 @@ std::filesystem::path RenderOptions::output_file() const {
   const std::string base = is_shape(input) ? input.substr(0, input.find(':'))
                                            : std::filesystem::path(input).stem().string();
   return base + ".png";
+}
+
+bool RenderOptions::wants_cost_picture() const {
+  return std::ranges::find(aovs, aov_cost) != aovs.end();
+}
+
+std::vector<std::filesystem::path> RenderOptions::aov_files() const {
+  std::vector<std::filesystem::path> files(aovs.begin(), aovs.end());
+  std::erase(files, aov_cost);
+  return files;
+}
+
+Skips RenderOptions::skips() const {
+  Skips skips;
+  for (const std::string& name : skips_off) {
+    const auto found = std::ranges::find(skip_switches(), name, &SkipSwitch::name);
+    if (found == skip_switches().end())
+      throw Error("--skip-off", "no switch '" + name + "'; there are: " + switch_names());
+    skips.*found->member = false;
+  }
+  return skips;
 }
 
 bool is_scene(const std::string& input) {

@@ -35,8 +35,16 @@ struct SceneOptions {
 };
 
 struct RenderOptions : SceneOptions {
-  std::string output, aov;
+  std::string output;
+  std::vector<std::string> aovs;       // EXR files, and `aov_cost`
+  std::vector<std::string> skips_off;  // names of skip_switches()
   bool stats = false;
+
+  static constexpr const char* aov_cost = "cost";
+  bool wants_cost_picture() const;
+  std::vector<std::filesystem::path> aov_files() const;
+  /// Throws Error where a name of skips_off is none.
+  Skips skips() const;
 
   /// Where the picture goes: `output`, else the input's name with .png, in the current folder.
   std::filesystem::path output_file() const;
@@ -44,6 +52,9 @@ struct RenderOptions : SceneOptions {
 
 /// Whether the input is a scene file, and neither a mesh file nor a shape.
 bool is_scene(const std::string& input);
+
+/// What --skip-off takes: "outside-objects, ...".
+std::string switch_names();
 
 /// The scene file's picture with the changes, or one of the mesh or shape, and then the edits.
 /// Throws Error where they do not fit.

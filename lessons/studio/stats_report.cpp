@@ -36,39 +36,70 @@ void print_times(std::ostream& out, const FrameStats& stats) {
   print_row(out, "by the clock", fixed(1e3 * stats.wall_seconds, 2) + " ms", "", "");
 }
 
-void print_triangles(std::ostream& out, const FrameStats& stats) {
-  const auto row = [&](const char* row_name, std::int64_t count, const char* remark) {
-    print_row(out, row_name, grouped(count), percent_of(double(count), double(stats.triangles)),
-              remark);
-  };
-  out << "triangles\n";
-  row("in", stats.triangles, "");
-  row("outside the view", stats.outside, "skipped");
-  row("facing away", stats.back_facing, "skipped");
-  row("without a pixel", stats.no_pixel, "skipped: no area, or between the samples");
-  row("drawn", stats.drawn, "");
-  row("clipped", stats.clipped, "of those drawn");
+/// Rows of counts and their shares of a whole.
+class CountRows {
+ public:
+  CountRows(std::ostream& out, const char* title, std::int64_t whole) : out_(out), whole_(whole) {
+    out_ << title << '\n';
+  }
+  void row(const char* row_name, std::int64_t count, const char* remark = "") const {
+    print_row(out_, row_name, grouped(count), percent_of(double(count), double(whole_)), remark);
+  }
+
+ private:
+  std::ostream& out_;
+  std::int64_t whole_;
+};
+
+void print_geometry(std::ostream& out, const FrameStats& stats, const Scene& scene) {
+  const auto object_count = std::int64_t(scene.objects.size());
+  const CountRows objects(out, "objects", object_count);
+  objects.row("in", object_count);
+  objects.row("outside the view", stats.objects_outside, "skipped");
+
+  const CountRows clusters(out, "clusters of triangles", stats.clusters);
+  clusters.row("in", stats.clusters, "those of objects outside the view not counted");
+  clusters.row("outside the view", stats.clusters_outside, "skipped");
+  clusters.row("facing away", stats.clusters_back_facing, "skipped");
+  print_row(out, "vertices", grouped(stats.vertices), "", "transformed, of the rest");
+
+  const CountRows triangles(out, "triangles", stats.triangles);
+  triangles.row("in", stats.triangles);
+  triangles.row("outside the view", stats.outside, "skipped");
+  triangles.row("facing away", stats.back_facing, "skipped");
+  triangles.row("without a pixel", stats.no_pixel, "skipped: no area, or between the samples");
+  triangles.row("drawn", stats.drawn);
+  triangles.row("clipped", stats.clipped, "of those drawn");
+  print_row(out, "hidden", grouped(stats.hidden), "",
+            "times skipped, behind what a tile held");
 }
 
 void print_shading(std::ostream& out, const FrameStats& stats) {
-  out << "shading\n";
-  print_row(out, "vertices", grouped(stats.vertices), "", "");
-  print_row(out, "covered pixels", grouped(stats.covered_pixels), "", "");
+  out << "pixels\n";
+  print_row(out, "tiles kept", grouped(stats.tiles_kept), "", "from the last frame");
+  print_row(out, "covered", grouped(stats.covered_pixels), "", "");
   print_row(out, "fragments", grouped(stats.fragments), "",
             "shaded: once per triangle visible in a pixel");
-  print_row(out, "model evaluations", grouped(stats.evaluations), "", "points times lights");
+
+  const CountRows evaluations(out, "evaluations of reflection models", stats.evaluations);
+  evaluations.row("in", stats.evaluations, "points times lights");
+  evaluations.row("in the dark", stats.evaluations_skipped, "skipped");
+  const std::int64_t done = stats.evaluations - stats.evaluations_skipped;
+  evaluations.row("done", done);
   print_row(out, "spans", grouped(stats.spans), "", "virtual calls in which they were made");
   if (stats.spans > 0)
-    print_row(out, "mean span", fixed(double(stats.evaluations) / double(stats.spans), 1), "",
-              "points");
+    print_row(out, "mean span", fixed(double(done) / double(stats.spans), 1), "", "points");
 }
 
 }  // namespace
 
-void print_stats(std::ostream& out, const FrameStats& stats) {
+void print_stats(std::ostream& out, const FrameStats& stats, const Scene& scene,
+                 const Skips& skips) {
   print_times(out, stats);
-  print_triangles(out, stats);
+  print_geometry(out, stats, scene);
   print_shading(out, stats);
+  for (const SkipSwitch& skip : skip_switches())
+    if (!(skips.*skip.member)) out << "switched off: " << skip.name << '\n';
 }
 
 }  // namespace scanlit::studio

@@ -70,7 +70,12 @@ INSTANTIATE_TEST_SUITE_P(
                     BadInput{"render teapot -o x.exr --aov x.exr", "the picture's own file"},
                     BadInput{"render teapot -o x.exr --aov \"$PWD\"/x.exr",
                              "the picture's own file"},
-                    BadInput{"render teapot --aov nowhere/x.exr", "nowhere"}));
+                    BadInput{"render teapot --aov nowhere/x.exr", "nowhere"},
+                    BadInput{"render teapot --aov costs", "--aov: 'costs' is not an .exr file"},
+                    BadInput{"render teapot --aov cost --size 9000x90", "18"},
+                    BadInput{"render teapot --aov cost -o nowhere/x.exr", "nowhere"},
+                    BadInput{"render teapot --skip-off hidden",
+                             "--skip-off: no switch 'hidden'; there are: outside-objects, "}));
 
 INSTANTIATE_TEST_SUITE_P(
     Files, Refusal,

@@ -194,10 +194,49 @@ TEST(Cli, AMeshWithoutTexcoordsIsNamedWhereTangentsFollowThem) {
 TEST(Cli, StatsShowStagesAndCounts) {
   const Folder folder;
   const Outcome outcome = folder.run("render cube:1 --size 40x30 --stats --threads 2");
-  for (const char* part : {"scan conversion", "shading", "in  ", "facing away", "clipped",
-                           "fragments", "mean span", "2 threads"})
+  for (const char* part :
+       {"scan conversion", "shading", "objects", "clusters", "outside the view", "facing away",
+        "without a pixel", "drawn", "clipped", "hidden", "tiles kept", "covered", "fragments",
+        "in the dark", "done", "mean span", "2 threads"})
     EXPECT_TRUE(contains(outcome.out, part)) << part << " in\n" << outcome.out;
   expect_narrow(outcome.out);
+}
+
+/// The figure of a row of --stats.
+std::string figure(const std::string& stats, const std::string& row) {
+  std::istringstream lines(stats);
+  for (std::string line, value; std::getline(lines, line);)
+    if (line.starts_with("  " + row + "  ")) {
+      std::istringstream(line.substr(row.size() + 2)) >> value;
+      return value;
+    }
+  return "none";
+}
+
+TEST(Cli, ASkipThatIsOffShowsInTheStatsAndNotInThePicture) {
+  const Folder folder;
+  const std::string render = "render sphere:8 --size 40x30 --stats -o ";
+  const Outcome on = folder.run(render + "on.png");
+  const Outcome off =
+      folder.run(render + "off.png --skip-off unseen-triangles --skip-off dark-lights");
+  EXPECT_EQ(off.exit_code, 0) << off.err;
+  EXPECT_EQ(folder.read("on.png"), folder.read("off.png"));
+  EXPECT_NE(figure(on.out, "in the dark"), "0") << on.out;
+  EXPECT_EQ(figure(off.out, "in the dark"), "0") << off.out;
+  EXPECT_EQ(figure(on.out, "covered"), figure(off.out, "covered"));
+  EXPECT_FALSE(contains(on.out, "switched off"));
+  EXPECT_TRUE(contains(off.out, "switched off: unseen-triangles\n"));
+}
+
+TEST(Cli, CostIsAPictureBesideThePicture) {
+  const Folder folder;
+  const Outcome outcome = folder.run("render torus:8 --size 60x40 -o a.exr --aov cost");
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(contains(outcome.out, "\na-cost.png: what was done for each pixel\n"));
+  EXPECT_EQ(folder.files(), (std::vector<std::string>{"a-cost.png", "a.exr"}));
+  EXPECT_EQ(folder.run("render torus:8 --size 60x40 --aov b.exr --aov cost").exit_code, 0);
+  EXPECT_TRUE(contains(folder.read("b.exr"), "cost.evaluations"));
+  EXPECT_EQ(folder.read("torus-cost.png"), folder.read("a-cost.png"));
 }
 
 TEST(Cli, ListsOneModel) {
