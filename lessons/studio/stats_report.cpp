@@ -70,8 +70,7 @@ void print_geometry(std::ostream& out, const FrameStats& stats, const Scene& sce
   triangles.row("without a pixel", stats.no_pixel, "skipped: no area, or between the samples");
   triangles.row("drawn", stats.drawn);
   triangles.row("clipped", stats.clipped, "of those drawn");
-  print_row(out, "hidden", grouped(stats.hidden), "",
-            "times skipped, behind what a tile held");
+  print_row(out, "hidden", grouped(stats.hidden), "", "times skipped, behind what a tile held");
 }
 
 void print_shading(std::ostream& out, const FrameStats& stats) {

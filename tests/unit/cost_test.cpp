@@ -52,11 +52,11 @@ void add_rectangle(std::vector<glm::vec3>& corners, float x0, float y0, float x1
   for (const glm::vec3& corner : on_screen({a, b, c, a, c, d})) corners.push_back(corner);
 }
 
-/// 32 rectangles of 48 x 48 pixels behind one another, in a picture of 64 x 64; the last is in
-/// front.
-Scene layers() {
+/// 32 rectangles of 48 x 48 pixels behind one another, in a picture of 64 x 64.
+Scene layers(bool nearest_first) {
   std::vector<glm::vec3> corners;
-  for (int i = 0; i < 32; ++i) add_rectangle(corners, 8, 8, 56, 56, float(i + 1) / 64);
+  for (int i = 0; i < 32; ++i)
+    add_rectangle(corners, 8, 8, 56, 56, float(nearest_first ? 32 - i : i + 1) / 64);
   return scene_of({object_of(triangle_soup(corners))});
 }
 
@@ -79,9 +79,9 @@ Scene lit_spheres(const std::string& model) {
 
 TEST(Cost, IsNotCountedUnlessAskedFor) {
   Framebuffer framebuffer(64, 64);
-  render(layers(), pixel_camera(64, 64), {}, framebuffer);
+  render(layers(true), pixel_camera(64, 64), {}, framebuffer);
   EXPECT_TRUE(framebuffer.cost.empty());
-  EXPECT_EQ(costs_of(layers(), pixel_camera(64, 64), 64, 64).framebuffer.colour,
+  EXPECT_EQ(costs_of(layers(true), pixel_camera(64, 64), 64, 64).framebuffer.colour,
             framebuffer.colour);
 }
 
@@ -103,9 +103,9 @@ TEST(Cost, CountsADepthTestForEachFragmentAtEachSample) {
 }
 
 TEST(Cost, ShowsWhatTheCoarseDepthSaves) {
-  const Costs with = costs_of(layers(), pixel_camera(64, 64), 64, 64);
+  const Costs with = costs_of(layers(true), pixel_camera(64, 64), 64, 64);
   const Costs all =
-      costs_of(layers(), pixel_camera(64, 64), 64, 64, without(&Skips::hidden_triangles));
+      costs_of(layers(true), pixel_camera(64, 64), 64, 64, without(&Skips::hidden_triangles));
   for (int y = 8; y < 56; ++y)
     for (int x = 8; x < 56; ++x) ASSERT_EQ(all.tests(x, y), 32);
   EXPECT_LT(with.all_tests(), all.all_tests() / 8);
@@ -132,7 +132,7 @@ TEST(Cost, CountsTheEvaluationsThatTheStatsCount) {
 TEST(Cost, OfHiddenFragmentsIsCountedWhereTheyAreShaded) {
   RenderSettings settings = without(&Skips::hidden_fragments);
   settings.skips.hidden_triangles = false;
-  const Costs costs = costs_of(layers(), pixel_camera(64, 64), 64, 64, settings);
+  const Costs costs = costs_of(layers(false), pixel_camera(64, 64), 64, 64, settings);
   EXPECT_EQ(costs.evaluations(30, 30), 32 + 1);  // each once, then what stays
   EXPECT_EQ(costs.all_evaluations(), double(costs.stats.evaluations));
 }
