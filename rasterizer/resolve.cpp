@@ -103,7 +103,7 @@ void divide_by_w(const DrawnTriangle& triangle, T (&b)[3]) {
   const auto& [p, q, r] = triangle.vertices;
   b[0] = b[0] * T(p.inv_w), b[1] = b[1] * T(q.inv_w), b[2] = b[2] * T(r.inv_w);
   const T w = T(1) / (b[0] + b[1] + b[2]);
-  for (T& weight : b) weight = weight * w;
+  b[0] = b[0] * w, b[1] = b[1] * w, b[2] = b[2] * w;
 }
 
 }  // namespace

@@ -83,9 +83,9 @@ class Resolver {
     const Rect& touched = visibility_.touched;
     for (int y = touched.y_begin; y < touched.y_end; ++y) {
       if (visibility_.samples == 1)
-        resolve_row(y, touched, [row = sample_row(0, y)](int x) { return row[x]; });
+        resolve_row(y, touched, OneSample{sample_row(0, y)});
       else
-        resolve_row(y, touched, [this, y](int x) { return uniform_triangle(x, y); });
+        resolve_row(y, touched, Samples{*this, y});
     }
     collector_.flush(shade_);
     return covered_pixels_;
@@ -94,9 +94,7 @@ class Resolver {
   /// Only what sees triangle `only`, in these pixels, with one sample each.
   void run(TriangleId only, const Rect& pixels) {
     for (int y = pixels.y_begin; y < pixels.y_end; ++y)
-      resolve_row(y, pixels, [row = sample_row(0, y), only](int x) {
-        return row[x] == only ? only : no_triangle;
-      });
+      resolve_row(y, pixels, OnlyOne{sample_row(0, y), only});
     collector_.flush(shade_);
   }
 
@@ -112,19 +110,55 @@ class Resolver {
     return visibility_.triangle.data() + visibility_.row(sample, y) - visibility_.rect.x_begin;
   }
 
-  /// Cuts a row into runs of one triangle. `triangle_at(x)` is what pixel x sees.
-  template <class TriangleAt>
-  void resolve_row(int y, const Rect& pixels, const TriangleAt& triangle_at) {
+  /// What the pixels of a row see: at(x), and up to where, at most `end`, they see `id` like x.
+  struct OneSample {
+    const TriangleId* row;
+
+    TriangleId at(int x) const { return row[x]; }
+    int run_end(int x, int end, TriangleId id) const {
+      const hn::RebindToUnsigned<Batch::Tag> tag;
+      for (; x < end; x += Batch::lanes) {
+        const auto same = hn::Eq(hn::LoadU(tag, row + x), hn::Set(tag, id));
+        const auto other = hn::FindFirstTrue(tag, hn::Not(same));
+        if (other >= 0) return std::min(x + int(other), end);
+      }
+      return end;
+    }
+  };
+  struct Samples {
+    const Resolver& resolver;
+    int y;
+
+    TriangleId at(int x) const { return resolver.uniform_triangle(x, y); }
+    int run_end(int x, int end, TriangleId id) const {
+      while (x < end && at(x) == id) ++x;
+      return x;
+    }
+  };
+  struct OnlyOne {
+    const TriangleId* row;
+    TriangleId only;
+
+    TriangleId at(int x) const { return row[x] == only ? only : no_triangle; }
+    int run_end(int x, int end, TriangleId id) const {
+      while (x < end && at(x) == id) ++x;
+      return x;
+    }
+  };
+
+  /// Cuts a row into runs of one triangle.
+  template <class Row>
+  void resolve_row(int y, const Rect& pixels, const Row& row) {
     const int end = pixels.x_end;
     for (int x = pixels.x_begin; x < end;) {
-      const TriangleId id = triangle_at(x);
-      const int begin = x++;
+      const TriangleId id = row.at(x);
+      const int begin = x;
+      x = id == mixed ? x + 1 : row.run_end(x + 1, end, id);
       if (id == no_triangle) continue;
       if (id == mixed) {
         split_pixel(begin, y);
         continue;
       }
-      while (x < end && triangle_at(x) == id) ++x;
       covered_pixels_ += x - begin;
       append(VisibleTriangle(frame_, *visibility_.triangles[id]), begin * subpixel + half_pixel,
              y * subpixel + half_pixel, x - begin, pixel(begin, y), 1.0f);

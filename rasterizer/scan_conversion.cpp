@@ -118,6 +118,7 @@ struct SmallEdges {
   SmallEdges(const ScreenTriangle& triangle, const Rect& box) {
     const auto& v = triangle.vertices;
     const int sign = triangle.twice_area > 0 ? 1 : -1;
+#pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
       const ScreenVertex &from = v[i], &to = v[i == 2 ? 0 : i + 1];
       const std::int32_t dx = sign * (to.x - from.x), dy = sign * (to.y - from.y);
@@ -163,6 +164,7 @@ void draw_tiny(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& b
   const auto in_columns = hn::Lt(column, hn::Set(ints, box.x_end - box.x_begin));
   for (int y = box.y_begin; y < box.y_end; y += rows_in_vector) {
     hn::Vec<Ints> edge[3];
+#pragma GCC unroll 3
     for (int i = 0; i < 3; ++i) {
       const auto start = hn::Set(ints, edges.first[i] + (y - box.y_begin) * edges.per_row[i]);
       edge[i] = hn::Add(hn::Add(start, hn::Mul(column, hn::Set(ints, edges.per_column[i]))),
@@ -192,6 +194,7 @@ void draw_small(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& 
   const RowWriter writer(plane, drawn);
   const SmallEdges edges(triangle, box);
   hn::Vec<Ints> per_lane[3];
+#pragma GCC unroll 3
   for (int i = 0; i < 3; ++i)
     per_lane[i] = hn::Mul(hn::Iota(ints, 0), hn::Set(ints, edges.per_column[i]));
   for (int y = box.y_begin; y < box.y_end; ++y) {
@@ -199,6 +202,7 @@ void draw_small(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& 
     int anchor_x = box.x_end;
     for (int x = box.x_begin; x < box.x_end; x += lanes) {
       hn::Vec<Ints> edge[3];
+#pragma GCC unroll 3
       for (int i = 0; i < 3; ++i)
         edge[i] = hn::Add(hn::Set(ints, edges.first[i] + (y - box.y_begin) * edges.per_row[i] +
                                             (x - box.x_begin) * edges.per_column[i]),

@@ -51,6 +51,7 @@ void interpolate(const FragmentSpan& span, const Run& run, const float* const (&
                  float sign, float (&out)[channels][SurfaceSpan::padded]) {
   if (run.size == 1) {  // where triangles are as small as pixels: the same operations
     const float b1 = span.b1[run.first], b2 = span.b2[run.first];
+#pragma GCC unroll 3
     for (int c = 0; c < channels; ++c) {
       const float a0 = sign * corner[0][c];
       const float d1 = sign * corner[1][c] - a0, d2 = sign * corner[2][c] - a0;
@@ -58,13 +59,16 @@ void interpolate(const FragmentSpan& span, const Run& run, const float* const (&
     }
     return;
   }
+  // Unrolled, the arrays are registers.
   Batch base[channels], d1[channels], d2[channels];
+#pragma GCC unroll 3
   for (int c = 0; c < channels; ++c) {
     const float a0 = sign * corner[0][c];
     base[c] = a0, d1[c] = sign * corner[1][c] - a0, d2[c] = sign * corner[2][c] - a0;
   }
   for (int i = run.first; i < run.first + run.size; i += Batch::lanes) {
     const Batch b1 = Batch::load(span.b1 + i), b2 = Batch::load(span.b2 + i);
+#pragma GCC unroll 3
     for (int c = 0; c < channels; ++c)
       mul_add(b2, d2[c], mul_add(b1, d1[c], base[c])).store(out[c] + i);
   }
