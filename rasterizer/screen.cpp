@@ -2,12 +2,6 @@
 
 namespace scanlit {
 
-Rect TileGrid::tile(int column, int row) const {
-  const int x = column << width_shift, y = row << height_shift;
-  return {x, y, std::min(x + (1 << width_shift), viewport.width),
-          std::min(y + (1 << height_shift), viewport.height)};
-}
-
 TileGrid make_tile_grid(const Viewport& viewport, int samples) {
   // Depth and id of a tile's samples, 8 bytes each, should fill about half of a 1 MiB second-level
   // cache. Of such tiles the widest are measured to be fastest up to 1024 pixels.

@@ -56,7 +56,11 @@ struct TileGrid {
   int count() const { return columns * rows; }
   int column(int x) const { return x >> width_shift; }
   int row(int y) const { return y >> height_shift; }
-  Rect tile(int column, int row) const;
+  Rect tile(int column, int row) const {
+    const int x = column << width_shift, y = row << height_shift;
+    return {x, y, std::min(x + (1 << width_shift), viewport.width),
+            std::min(y + (1 << height_shift), viewport.height)};
+  }
   Rect tile(int index) const { return tile(index % columns, index / columns); }
 };
 constexpr int max_tile_height = 64;

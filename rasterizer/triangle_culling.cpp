@@ -58,15 +58,6 @@ void for_each_lane(IntMask mask, const Use& use) {
 
 }  // namespace
 
-Rect pixel_bounds(const ScreenTriangle& t, int samples) {
-  if (samples == 1) return centre_bounds(t);
-  // More samples than one lie anywhere in their pixel.
-  const auto& [a, b, c] = t.vertices;
-  const int x_min = std::min(a.x, std::min(b.x, c.x)), x_max = std::max(a.x, std::max(b.x, c.x));
-  const int y_min = std::min(a.y, std::min(b.y, c.y)), y_max = std::max(a.y, std::max(b.y, c.y));
-  return {x_min >> 8, y_min >> 8, (x_max >> 8) + 1, (y_max >> 8) + 1};
-}
-
 Fate cull(const ScreenTriangle& triangle, const Draw& draw, const Viewport& viewport, int samples) {
   if (triangle.twice_area == 0) return Fate::no_pixel;
   if (!draw.draw_back_faces && (triangle.twice_area < 0) != draw.mirrored) return Fate::back_facing;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "rasterizer/pipeline.h"
+#include "rasterizer/scan_conversion.h"
 
 namespace scanlit {
 
@@ -14,7 +14,14 @@ enum class Fate : std::uint8_t { outside, no_pixel, back_facing, drawn };
 
 /// The pixels whose sample positions a triangle's box can hold; may be empty, may leave the
 /// picture.
-Rect pixel_bounds(const ScreenTriangle& triangle, int samples);
+inline Rect pixel_bounds(const ScreenTriangle& t, int samples) {
+  if (samples == 1) return centre_bounds(t);
+  // More samples than one lie anywhere in their pixel.
+  const auto& [a, b, c] = t.vertices;
+  const int x_min = std::min(a.x, std::min(b.x, c.x)), x_max = std::max(a.x, std::max(b.x, c.x));
+  const int y_min = std::min(a.y, std::min(b.y, c.y)), y_max = std::max(a.y, std::max(b.y, c.y));
+  return {x_min >> 8, y_min >> 8, (x_max >> 8) + 1, (y_max >> 8) + 1};
+}
 
 inline Rect picture_rect(const Viewport& viewport) {
   return {0, 0, viewport.width, viewport.height};
