@@ -126,5 +126,34 @@ TEST(Skips, HiddenLayersLeaveNoTrace) {
   }
 }
 
+/// Tilted squares, each nearer than the last by a few of float's steps: a bound that is too small
+/// by less than that would hide some of the next one.
+TEST(Skips, LayersThatNearlyTouchAreAllSeen) {
+  const int size = 128;
+  for (const int samples : {1, 4, 16})
+    for (const double slope : {0.0, 1e-4, 2e-3, -2e-3}) {
+      std::vector<glm::vec3> corners;
+      for (int layer = 0; layer < 8; ++layer) {
+        const double nearer = layer * 4e-7;
+        const auto at = [&](double x, double y) {
+          return glm::vec3(x, y, 0.4 + nearer + slope * (x - 0.4 * y - 40));
+        };
+        // In strips, so that blocks are covered by several triangles.
+        for (double y = 0; y < size; y += 13)
+          for (const glm::vec3& corner : on_screen({at(0, y), at(size, y), at(size, y + 13),
+                                                    at(0, y), at(size, y + 13), at(0, y + 13)}))
+            corners.push_back(corner);
+      }
+      const Scene scene = scene_of({object_of(triangle_soup(corners))});
+      RenderSettings settings{.samples = samples};
+      Framebuffer with(size, size, planes), without(size, size, planes);
+      render(scene, pixel_camera(size, size), settings, with);
+      settings.skips.hidden_triangles = false;
+      render(scene, pixel_camera(size, size), settings, without);
+      SCOPED_TRACE(std::to_string(samples) + " samples, slope " + std::to_string(slope));
+      expect_same(with, without);
+    }
+}
+
 }  // namespace
 }  // namespace scanlit
