@@ -121,6 +121,10 @@ TEST_P(Reuse, AnotherFramebufferIsDrawnWhole) {
   s.picture = {};
   s.picture = Framebuffer(width, height, s.planes);
   s.next("another in its place");
+  Scene other = s.scene;
+  other.objects.pop_back();
+  render(other, s.camera, {}, s.picture);
+  s.next("drawn over by another renderer");
   s.planes = {.format = ColourFormat::srgb_8bit};
   s.picture = Framebuffer(width, height, s.planes);
   s.next("another format");
