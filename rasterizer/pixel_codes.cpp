@@ -1,6 +1,5 @@
 #include "rasterizer/pixel_codes.h"
 
-#include <bit>
 
 #include "rasterizer/image/image_encoding.h"
 

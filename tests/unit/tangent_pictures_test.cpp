@@ -6,6 +6,7 @@
 #include <string>
 
 #include "rasterizer/shapes.h"
+#include "tests/unit/probe.h"
 #include "tests/unit/tangent_checks.h"
 #include "tests/unit/test_scene.h"
 
@@ -14,31 +15,18 @@ namespace {
 
 using namespace test;
 
-/// Shows the tangent's world coordinates, which are dot products of the frame with fixed l and v.
-class ShowTangent : public ReflectionModel {
- public:
-  Needs needs() const override { return {.frame = true}; }
-  void evaluate(const DirectionSpan& in, const ReflectionSpan& out) const override {
-    for (int c = 0; c < 3; ++c)
-      for (std::size_t i = 0; i < in.size; ++i) {
-        out.diffuse[c][i] = in.tangent[c][i];
-        out.glossy[c][i] = in.normal[c][i];
-      }
-  }
-  Reflection<double> evaluate(const Vec3<double>&, const Vec3<double>&,
-                              const SurfacePoint<double>&) const override {
-    return {};
-  }
-  Reflection<float> evaluate(const Vec3<float>&, const Vec3<float>&,
-                             const SurfacePoint<float>&) const override {
-    return {};
-  }
-};
+/// Shows the tangent as the diffuse part and the normal as the glossy one, in world space.
+std::shared_ptr<Probe> show_tangent() {
+  return std::make_shared<Probe>(Needs{.frame = true}, [](const DirectionSpan& in, std::size_t i) {
+    return std::array<float, 6>{in.tangent[0][i], in.tangent[1][i], in.tangent[2][i],
+                                in.normal[0][i],  in.normal[1][i],  in.normal[2][i]};
+  });
+}
 
 Picture tangents_in_picture(const std::string& shape, const Tangents& tangents, Shading shading,
                             RenderSettings settings = {}) {
   Object object = object_of(std::make_shared<Mesh>(make_shape(shape)), White(), shading);
-  object.material.model = std::make_shared<ShowTangent>();
+  object.material.model = show_tangent();
   object.material.tangents = tangents;
   object.world_from_object = glm::rotate(glm::mat4(1), 0.9f, glm::vec3(1, 0.3f, 0));
   settings.skips.dark_lights = false;  // tangents are shown where no light falls, too
