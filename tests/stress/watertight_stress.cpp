@@ -1,0 +1,301 @@
+// (3) to (7) Watertight, as theorems that hold after snapping whatever was rounded before it: a
+// closed mesh covers each pixel as often with front faces as with back faces, and a disc as often
+// as its border goes around it.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "tests/stress/coverage_count.h"
+#include "tests/stress/grid_mesh.h"
+#include "tests/unit/test_scene.h"
+
+namespace scanlit::stress {
+namespace {
+
+using Real = long double;
+
+Viewport random_viewport(Property& property) {
+  const auto side = [&] { return property.any_of(1, 2, 3, 17, 64, 200, 1000, 4096, 16384); };
+  const int width = side();
+  return {width, side()};
+}
+
+/// A perspective or parallel view of the unit sphere about the origin, all in units of `scale` and
+/// moved by `offset`.
+Camera random_camera(Property& property, double scale, const glm::dvec3& offset) {
+  Camera camera;
+  const glm::dvec3 back = random_direction(property);
+  const double distance = property.uniform(2.5, 10);
+  camera.target = offset + scale * 0.3 * random_direction(property);
+  camera.eye = camera.target + scale * distance * back;
+  camera.up = random_direction(property);
+  camera.projection = property.coin() ? Projection::perspective : Projection::orthographic;
+  camera.fov_deg = property.uniform(5, 120);
+  camera.height = scale * property.decades(-1, 1);
+  camera.near = scale * 0.01;
+  camera.far = scale * 100;
+  return camera;
+}
+
+/// The planes it is outside of.
+unsigned outcode(const ClipVertex& v, const Viewport& viewport) {
+  const auto bit = [](bool inside, Outside plane) { return inside ? 0u : unsigned(plane); };
+  const float x = viewport.guard_x() * v.w, y = viewport.guard_y() * v.w;
+  return bit(v.z <= v.w, outside_near) | bit(v.z >= 0, outside_far) | bit(-x <= v.x, outside_left) |
+         bit(v.x <= x, outside_right) | bit(-y <= v.y, outside_bottom) | bit(v.y <= y, outside_top);
+}
+
+/// 64 x 64 pixels about a vertex, as far as the picture reaches.
+Rect window_at(const ScreenVertex& v, const Viewport& viewport) {
+  const int x = std::clamp((v.x >> 8) - 32, 0, std::max(0, viewport.width - 64));
+  const int y = std::clamp((v.y >> 8) - 32, 0, std::max(0, viewport.height - 64));
+  return {x, y, std::min(x + 64, viewport.width), std::min(y + 64, viewport.height)};
+}
+
+std::vector<ClipVertex> in_clip_space(const std::vector<glm::vec3>& positions, const Camera& camera,
+                                      const Viewport& viewport) {
+  Draw draw{};
+  draw.clip_from_object =
+      glm::mat4(clip_from_world(camera, double(viewport.width) / viewport.height));
+  std::vector<ClipVertex> result;
+  for (const glm::vec3& p : positions) result.push_back(transform(draw, p));
+  return result;
+}
+
+CoverageCount count(const std::vector<ScreenVertex>& screen,
+                    const std::vector<std::uint32_t>& indices, const Rect& window) {
+  CoverageCount result(window);
+  for (std::size_t i = 0; i < indices.size(); i += 3)
+    result.add(screen[indices[i]], screen[indices[i + 1]], screen[indices[i + 2]]);
+  return result;
+}
+
+template <class Use>
+void for_each_pixel(const Rect& r, const Use& use) {
+  for (int y = r.y_begin; y < r.y_end; ++y)
+    for (int x = r.x_begin; x < r.x_end; ++x) use(x, y);
+}
+
+int largest_side(const Property&) { return effort().seconds_each > 60 ? 700 : 150; }
+
+TEST(Watertight, ClosedMeshCancels) {
+  Property property{"front faces minus back faces of a closed mesh is zero at every pixel",
+                    "18 to 1e6 triangles (quick: 45,000), smooth to tangled, scales 1e-6 to 1e6, "
+                    "offsets to 1e7 times the size, pictures of 1 to 16384",
+                    "faces too many", 150};
+  std::int64_t covered = 0;
+  while (property.next()) {
+    const int columns = int(property.decades(0.48, std::log10(largest_side(property))));
+    const int rows = int(property.decades(0.48, std::log10(largest_side(property))));
+    const double scale = property.decades(-6, 6), away = property.any_of(0.0, 1.0, 1e3, 1e5, 1e7);
+    const glm::dvec3 offset = scale * away * random_direction(property);
+    const Viewport viewport = random_viewport(property);
+    const Camera camera = random_camera(property, scale, offset);
+    const Grid grid(columns, rows, true, property);
+    std::vector<glm::vec3> positions;
+    for (const auto& p : torus_positions(columns, rows, property.uniform(0.05, 0.5),
+                                         property.any_of(0.0, 1e-3, 0.1, 1.0), property))
+      positions.emplace_back(offset + scale * p);
+    std::vector<ScreenVertex> screen;
+    for (const ClipVertex& v : in_clip_space(positions, camera, viewport))
+      if (outcode(v, viewport) == 0) screen.push_back(project(v, viewport));
+    if (screen.size() != positions.size()) continue;
+    const CoverageCount sum = count(screen, grid.indices, window_at(screen[0], viewport));
+    for_each_pixel(sum.window(), [&](int x, int y) {
+      property.measure(std::abs(sum.signed_sum(x, y)), "pixel ", x, " ", y);
+      covered += sum.faces(x, y) > 0;
+    });
+    EXPECT_EQ(property.worst(), 0);
+  }
+  property.expect_more_than(10000, covered);
+}
+
+TEST(Watertight, DiscCoversWhatItsBorderGoesAround) {
+  Property property{"a disc's front faces minus back faces are its border's winding number",
+                    "fans and grids of 1 to 800 triangles on the screen, some flipped, slivers of "
+                    "aspect 1 to 1e9, random w from 1 to 1e6, pictures of 1 to 16384",
+                    "faces too many", 1500};
+  while (property.next()) {
+    const Viewport viewport = random_viewport(property);
+    const int columns = property.whole(1, 20),
+              rows = property.any_of(1, 1, 2, property.whole(1, 20));
+    const double aspect = property.decades(0, 9), size = property.decades(-1, 3.5);
+    const double noise = property.any_of(0.0, 0.2, 1.0, 3.0), turn = property.uniform(0, 6.3);
+    const double decades_of_w = property.any_of(0.0, 1.0, 6.0);
+    const double x0 = property.uniform(0, viewport.width),
+                 y0 = property.uniform(0, viewport.height);
+    std::vector<ScreenVertex> screen;
+    const Grid grid(columns, rows, false, property);
+    for (int j = 0; j <= rows; ++j)
+      for (int i = 0; i <= columns; ++i) {
+        const double x = (i + noise * property.uniform(-0.5, 0.5)) / columns * size;
+        const double y = (j + noise * property.uniform(-0.5, 0.5)) / rows * size / aspect;
+        const double sx = x0 + x * std::cos(turn) - y * std::sin(turn);
+        const double sy = y0 + x * std::sin(turn) + y * std::cos(turn);
+        const double w = property.decades(0, decades_of_w);
+        screen.push_back(
+            project({float((2 * sx / viewport.width - 1) * w),
+                     float((1 - 2 * sy / viewport.height) * w), float(0.5 * w), float(w)},
+                    viewport));
+      }
+    std::vector<ScreenVertex> border;
+    for (const std::uint32_t v : grid.border()) border.push_back(screen[v]);
+    const CoverageCount sum = count(screen, grid.indices, window_at(screen[0], viewport));
+    for_each_pixel(sum.window(), [&](int x, int y) {
+      const int expected = winding_number(border, x, y);
+      property.measure(std::abs(sum.signed_sum(x, y) - expected), "pixel ", x, " ", y);
+    });
+    EXPECT_EQ(property.worst(), 0);
+  }
+}
+
+/// The ray (x, y, -1) from the eye meets the triangle's front (1) or back (-1) beyond `near`.
+int facing(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, Real x, Real y, Real near) {
+  const auto determinant = [](const auto& p, const auto& q, const auto& r) {
+    return p[0] * (Real(q[1]) * r[2] - Real(q[2]) * r[1]) -
+           p[1] * (Real(q[0]) * r[2] - Real(q[2]) * r[0]) +
+           p[2] * (Real(q[0]) * r[1] - Real(q[1]) * r[0]);
+  };
+  const Real ray[3] = {x, y, -1}, volume = determinant(a, b, c);
+  if (volume == 0) return 0;
+  const Real b0 = determinant(ray, b, c) / volume, b1 = determinant(a, ray, c) / volume,
+             b2 = determinant(a, b, ray) / volume, inverse_distance = b0 + b1 + b2;
+  const bool hit =
+      b0 >= 0 && b1 >= 0 && b2 >= 0 && inverse_distance > 0 && inverse_distance <= 1 / near;
+  return hit ? (volume < 0 ? 1 : -1) : 0;
+}
+
+TEST(Watertight, ClippedMeshCoversWhatRaysHit) {
+  Property property{
+      "a mesh cut by the near plane or the guard band covers what rays hit, each "
+      "triangle as often and from the same side",
+      "grids of 2 to 72 triangles from behind the eye to far beyond the guard band; "
+      "pixels whose rays all hit the same up to 1/64 pixel around",
+      "faces too many", 400};
+  constexpr int size = 24;
+  const Viewport viewport{size, size};
+  std::int64_t cut = 0;
+  while (property.next()) {
+    const Camera camera = test::eye_at_origin(0.1);
+    const int columns = property.whole(1, 6), rows = property.whole(1, 6);
+    const Grid grid(columns, rows, false, property);
+    // A plane at any tilt, from about the eye to far away, with some vertices off it.
+    const glm::dvec3 u = random_direction(property) * property.decades(-0.5, 4.5),
+                     v = random_direction(property) * property.decades(-0.5, 2),
+                     origin = random_direction(property) * 1.5 - 0.5 * (u + v);
+    const double noise = property.any_of(0.0, 0.1, 1.0);
+    std::vector<glm::vec3> positions;
+    for (int j = 0; j <= rows; ++j)
+      for (int i = 0; i <= columns; ++i)
+        positions.emplace_back(origin + u * (double(i) / columns) + v * (double(j) / rows) +
+                               noise * random_direction(property));
+    const auto clip_space = in_clip_space(positions, camera, viewport);
+    CoverageCount sum({0, 0, size, size});
+    for (std::size_t i = 0; i < grid.indices.size(); i += 3) {
+      const ClipVertex corners[3] = {clip_space[grid.indices[i]], clip_space[grid.indices[i + 1]],
+                                     clip_space[grid.indices[i + 2]]};
+      unsigned planes = 0;
+      for (const ClipVertex& c : corners) planes |= outcode(c, viewport);
+      std::vector<ClippedTriangle> pieces;
+      clip(corners, planes, viewport, pieces);
+      for (const ClippedTriangle& p : pieces) sum.add(p.vertices[0], p.vertices[1], p.vertices[2]);
+      cut += planes != 0;
+    }
+    for_each_pixel(sum.window(), [&](int x, int y) {
+      int expected[9];
+      for (int k = 0; k < 9; ++k) {
+        const Real sx = x + 0.5L + (k % 3 - 1) / 64.0L, sy = y + 0.5L + (k / 3 - 1) / 64.0L;
+        expected[k] = 0;
+        for (std::size_t i = 0; i < grid.indices.size(); i += 3)
+          expected[k] += facing(positions[grid.indices[i]], positions[grid.indices[i + 1]],
+                                positions[grid.indices[i + 2]], sx * 2 / size - 1,
+                                1 - sy * 2 / size, Real(0.1f));
+        if (expected[k] != expected[0]) return;
+      }
+      property.measure(std::abs(sum.signed_sum(x, y) - expected[0]), "pixel ", x, " ", y);
+    });
+    EXPECT_EQ(property.worst(), 0);
+  }
+  property.expect_more_than(1000, cut);
+}
+
+TEST(Watertight, FrontAndBackOfAClosedMeshCoverTheSameSamples) {
+  Property property{
+      "in whole pictures, a closed mesh covers the same share of each pixel with its "
+      "front faces alone as with its back faces alone, whatever is culled",
+      "as above, 1 to 16 samples, pictures up to 300 x 200; whole clusters in and "
+      "out of view",
+      "of a pixel", 60};
+  std::int64_t covered = 0;
+  while (property.next()) {
+    const int side = effort().seconds_each > 60 && property.whole(0, 20) == 0 ? 700 : 60;
+    const int columns = property.whole(3, side), rows = property.whole(3, side);
+    const double scale = property.decades(-6, 6);
+    const glm::dvec3 offset =
+        scale * property.any_of(0.0, 1.0, 1e3, 1e5) * random_direction(property);
+    const int width = property.whole(1, 300), height = property.whole(1, 200);
+    const Camera camera = random_camera(property, scale, offset);
+    const Grid grid(columns, rows, true, property);
+    std::vector<glm::vec3> positions;
+    for (const auto& p : torus_positions(columns, rows, property.uniform(0.05, 0.5),
+                                         property.any_of(0.0, 1e-3, 0.1, 1.0), property))
+      positions.emplace_back(offset + scale * p);
+    std::vector<std::uint32_t> reversed(grid.indices.rbegin(), grid.indices.rend());
+    const RenderSettings settings = test::with_samples(property.any_of(1, 4, 8, 16));
+    const auto picture = [&](const std::vector<std::uint32_t>& indices) {
+      Object object = test::object_of(mesh_of(positions, indices));
+      object.sides = Sides::front;
+      return test::picture_of(test::scene_of({object}), camera, width, height, settings);
+    };
+    const test::Picture front = picture(grid.indices), back = picture(reversed);
+    for_each_pixel({0, 0, width, height}, [&](int x, int y) {
+      const float a = front.colour(x, y)[3], b = back.colour(x, y)[3];
+      property.measure(std::abs(a - b), "pixel ", x, " ", y, " of ", width, " x ", height);
+      covered += a > 0;
+    });
+    EXPECT_EQ(property.worst(), 0);
+  }
+  property.expect_more_than(10000, covered);
+}
+
+TEST(Watertight, SnappedVerticesAreWhereTheyShouldBe) {
+  Property property{
+      "a vertex is snapped to within half a unit of 1/256 pixel of its exact place, "
+      "and what float takes",
+      "scales 1e-6 to 1e6, offsets to 1e7 times the size, pictures of 1 to 16384; "
+      "what float takes: 16 roundings of the farthest coordinate, seen in pixels",
+      "of the allowed distance", 20000};
+  while (property.next()) {
+    const double scale = property.decades(-6, 6), away = property.any_of(0.0, 1.0, 1e3, 1e5, 1e7);
+    const glm::dvec3 offset = scale * away * random_direction(property);
+    const Viewport viewport = random_viewport(property);
+    const Camera camera = random_camera(property, scale, offset);
+    const glm::vec3 position(offset + scale * random_direction(property));
+    const ClipVertex clip_position = in_clip_space({position}, camera, viewport)[0];
+    if (outcode(clip_position, viewport) != 0) continue;
+    const ScreenVertex v = project(clip_position, viewport);
+    const double aspect = double(viewport.width) / viewport.height;
+    const glm::dvec4 exact = clip_from_world(camera, aspect) * glm::dvec4(position, 1.0);
+    const double x = (1 + exact.x / exact.w) * viewport.width * 128,
+                 y = (1 - exact.y / exact.w) * viewport.height * 128;
+    // A coordinate's rounding is 2^-24 of the largest number in its sum, and so in pixels as much
+    // as the size of a pixel where the vertex is allows.
+    const glm::dmat4 m = clip_from_world(camera, aspect);
+    const auto sum = [&](int row) {
+      double largest = 0;
+      for (int i = 0; i < 4; ++i)
+        largest += std::abs(m[i][row] * (i < 3 ? double(position[i]) : 1));
+      return largest;
+    };
+    const double rounding = 16 * 0x1p-24;
+    const auto allowed = [&](int row, double pixels, double value) {
+      return 0.5 + rounding * 128 * pixels *
+                       ((sum(row) + std::abs(value / exact.w) * sum(3)) / std::abs(exact.w) + 1);
+    };
+    const double off = std::max(std::abs(v.x - x) / allowed(0, viewport.width, exact.x),
+                                std::abs(v.y - y) / allowed(1, viewport.height, exact.y));
+    property.measure(off, "offset ", away, " sizes, ", viewport.width, " x ", viewport.height);
+    EXPECT_LE(off, 1);
+  }
+}
+
+}  // namespace
+}  // namespace scanlit::stress
