@@ -1,0 +1,55 @@
+#include "lessons/studio/drawing/panels.h"
+
+#include <algorithm>
+
+#include "lessons/studio/reflect/sheet_layout.h"
+
+namespace scanlit::studio {
+
+Framebuffer panels(int width, int height, int columns, const std::vector<std::string>& captions,
+                   const std::function<Framebuffer(int panel, int width, int height)>& draw,
+                   const Rgb<double>& paper) {
+  const int count = int(captions.size()), rows = (count + columns - 1) / columns;
+  const WordSizes sizes = word_sizes(height);
+  const int size = sizes.largest, gap = std::max(2, size / 2), caption = size * 17 / 10;
+  const int panel_width = std::max(1, (width - gap * (columns + 1)) / columns);
+  const int panel_height = std::max(1, (height - gap - rows * caption) / rows);
+  const bool dark = paper.g < 0.2;
+
+  Framebuffer sheet = blank_picture(width, height, paper);
+  for (int i = 0; i < count; ++i) {
+    // The last row may be shorter than the others, and stands in the middle.
+    const int in_row = std::min(columns, count - i / columns * columns);
+    const int row_width = in_row * (panel_width + gap) - gap;
+    const int x = (width - row_width) / 2 + i % columns * (panel_width + gap);
+    const int y = gap + i / columns * (panel_height + caption);
+    paste(draw(i, panel_width, panel_height), sheet, x, y);
+    write_words(sheet, x + panel_width / 2.0, y + panel_height + size * 1.15,
+                captions[std::size_t(i)], Align::centre, dark ? ink::white : ink::black,
+                panel_width + gap, sizes);
+  }
+  return sheet;
+}
+
+Framebuffer reduced(const Framebuffer& picture, int n) {
+  Framebuffer result(picture.width / n, picture.height / n);
+  const float share = 1 / float(n * n);
+  for (int y = 0; y < result.height * n; ++y)
+    for (int x = 0; x < result.width * n; ++x)
+      for (std::size_t c = 0; c < 4; ++c)
+        result.colour[4 * (std::size_t(y / n) * result.width + x / n) + c] +=
+            share * picture.colour[4 * (std::size_t(y) * picture.width + x) + c];
+  return result;
+}
+
+Framebuffer magnified(const Framebuffer& picture, int n) {
+  Framebuffer result(picture.width * n, picture.height * n);
+  for (int y = 0; y < result.height; ++y)
+    for (int x = 0; x < result.width; ++x)
+      for (std::size_t c = 0; c < 4; ++c)
+        result.colour[4 * (std::size_t(y) * result.width + x) + c] =
+            picture.colour[4 * (std::size_t(y / n) * picture.width + x / n) + c];
+  return result;
+}
+
+}  // namespace scanlit::studio
