@@ -22,13 +22,18 @@ struct Places {
   float to_viewer[3][padded];
 };
 
+/// Whether positions come to world space.
+bool places_positions(const Frame& frame, const Draw& draw) {
+  return draw.illumination.near_lights || !frame.settings.skips.unused_attributes;
+}
+
 /// Object space to world space, and the directions that do not depend on a light. A normal of no
 /// length is taken to face the viewer.
 void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Places& places) {
   const Illumination& illumination = draw.illumination;
   const bool far_viewer = illumination.viewer_far;
   const bool each = !far_viewer || !frame.settings.skips.far_directions;
-  const bool positions = illumination.near_lights || !frame.settings.skips.unused_attributes;
+  const bool positions = places_positions(frame, draw);
   const Vec3<Batch> eye = broadcast(frame.camera.eye);
   const Vec3<Batch> far_direction = broadcast(towards_viewer(frame.camera));
   const glm::mat4& m = draw.object->world_from_object;
@@ -207,12 +212,13 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
   place(frame, draw, surface, places);
   if (needs.frame) place_tangents(draw, surface);
   const bool each = !illumination.viewer_far || !frame.settings.skips.far_directions;
+  const bool positions = places_positions(frame, draw);
   ViewedSpan in{.size = std::size_t(surface.size),
                 .far_viewer = far_viewer(frame.camera),
                 .skip_dark = frame.settings.skips.dark_lights};
   for (int c = 0; c < 3; ++c) {
     in.normal[c] = surface.normal[c];
-    in.position[c] = illumination.near_lights ? places.position[c] : nullptr;
+    in.position[c] = positions ? places.position[c] : nullptr;
     in.to_viewer[c] = each ? places.to_viewer[c] : nullptr;
     in.tangent[c] = needs.frame ? surface.tangent[c] : nullptr;
   }
@@ -229,6 +235,7 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
     in.parameters = parameters.data();
   }
 
+  if (lit.look) lit.look(in);
   const bool share = material.ambient_share != 0, parts = lit.with_parts || share;
   RadianceSpan out{.ambient = illumination.ambient,
                    .evaluations = lit.with_evaluations ? lit.evaluations : nullptr};

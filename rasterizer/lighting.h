@@ -2,6 +2,8 @@
 // Flat, Gouraud and Phong shading all come here; shading.cpp decides with which points.
 #pragma once
 
+#include <functional>
+
 #include "rasterizer/surface.h"
 
 namespace scanlit {
@@ -16,6 +18,7 @@ struct LitSpan {
   float diffuse[3][SurfaceSpan::padded];
   float glossy[3][SurfaceSpan::padded];
   float evaluations[SurfaceSpan::padded];  // of the reflection model: lights that reach the point
+  std::function<void(const ViewedSpan&)> look{};  // if any, is shown what the model sees
 };
 
 /// What is the same at all points of an object.

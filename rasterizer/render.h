@@ -13,6 +13,8 @@
 
 namespace scanlit {
 
+class FrameProbe;
+
 /// How attributes are interpolated across a triangle: right, or linearly on the screen as the
 /// classical scanline hardware did, to show its error.
 enum class Interpolation { perspective, screen_linear };
@@ -53,6 +55,7 @@ struct RenderSettings {
   Skips skips{};
   bool reuse = false;  // Renderer: what has not changed since its last frame stands. Costs memory.
   std::function<void(double)> progress{};  // called with 0..1, from any thread, one call at a time
+  FrameProbe* probe = nullptr;             // looks on while the frame is drawn: see frame_probe.h
 };
 
 /// What a frame's time is measured for, in order.

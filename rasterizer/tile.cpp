@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "rasterizer/cost.h"
+#include "rasterizer/frame_probe.h"
 #include "rasterizer/scan_conversion.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/triangle_culling.h"
@@ -88,19 +89,24 @@ void clear(const Rect& r, const ColourTarget& target, const Rgb<double>& backgro
   for (auto* part : {&f.ambient, &f.diffuse, &f.glossy}) fill(*part, 3, 0.0f);
 }
 
-/// Puts the background behind what is covered in part or not at all, and turns sums into codes.
+/// Finishes the sums, and turns them into codes.
 void finish(const Rgb<double>& background, const Rect& r, const ColourTarget& target,
             Framebuffer& f) {
-  const float channels[3] = {float(background.r), float(background.g), float(background.b)};
   for_each_sum(r, f, target, [&](std::span<float> row, std::size_t first_pixel) {
-    for (std::size_t i = 0; i < row.size() && background != Rgb<double>(0.0); i += 4)
-      for (std::size_t c = 0; c < 3; ++c) row[i + c] += (1 - row[i + 3]) * channels[c];
+    put_behind(row, background);
     if (f.format != ColourFormat::linear_float)
       PixelEncoder(f.format).row(row, &f.rgba8[4 * first_pixel]);
   });
 }
 
 }  // namespace
+
+void put_behind(std::span<float> rgba, const Rgb<double>& background) {
+  if (background == Rgb<double>(0.0)) return;
+  const float channels[3] = {float(background.r), float(background.g), float(background.b)};
+  for (std::size_t i = 0; i < rgba.size(); i += 4)
+    for (std::size_t c = 0; c < 3; ++c) rgba[i + c] += (1 - rgba[i + 3]) * channels[c];
+}
 
 void draw_tile(const Frame& frame, int tile, Redo redo, Worker& worker, VisibilityTile& visibility,
                Framebuffer& framebuffer) {
@@ -148,6 +154,7 @@ void draw_tile(const Frame& frame, int tile, Redo redo, Worker& worker, Visibili
     write_visibility(visibility, framebuffer);
     finish(frame.scene.background, rect, target, framebuffer);
   });
+  if (frame.settings.probe) frame.settings.probe->tile_drawn(frame, visibility);
 }
 
 }  // namespace scanlit

@@ -19,6 +19,9 @@ struct Worker {
       colours;  // RGBA, where an 8-bit framebuffer cannot hold what is to be added up
 };
 
+/// Puts the background behind pixels that are covered in part or not at all.
+void put_behind(std::span<float> rgba, const Rgb<double>& background);
+
 /// Scan-converts, resolves and shades a tile, into its own part of the framebuffer, which is
 /// cleared first. With Redo::shading the visibility stands as it is.
 void draw_tile(const Frame& frame, int tile, Redo redo, Worker& worker, VisibilityTile& visibility,
