@@ -18,6 +18,15 @@ void openimageio::draw_text(Framebuffer& picture, const std::string& font_file, 
   const TextAlignX align_x = align == Align::left     ? TextAlignX::Left
                              : align == Align::centre ? TextAlignX::Center
                                                       : TextAlignX::Right;
+  // OpenImageIO 2.4 aborts where no letter reaches the picture.
+  const OIIO::ROI letters = OIIO::ImageBufAlgo::text_size(text, size, font_file);
+  if (!letters.defined()) return;
+  const int left = align == Align::left     ? x
+                   : align == Align::centre ? x - letters.width() / 2
+                                            : x - letters.width();
+  if (left >= picture.width || left + letters.width() <= 0 ||
+      y + letters.ybegin >= picture.height || y + letters.yend <= 0)
+    return;
   const OIIO::ImageSpec spec(picture.width, picture.height, 4, OIIO::TypeDesc::FLOAT);
   OIIO::ImageBuf pixels(spec, picture.colour.data());
   OIIO::ImageBufAlgo::render_text(pixels, x, y, text, size, font_file,
