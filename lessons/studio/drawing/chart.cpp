@@ -16,7 +16,8 @@ std::vector<double> ticks(const ChartAxis& axis) {
     return result;
   }
   const double step = round_ticks(axis.high - axis.low, 5)[1];
-  for (double k = std::ceil(axis.low / step - 1e-9); k * step <= axis.high + 1e-9 * step; ++k)
+  // Plus 0, which makes 0 of -0.
+  for (double k = std::ceil(axis.low / step - 1e-9) + 0.0; k * step <= axis.high + 1e-9 * step; ++k)
     result.push_back(k * step);
   return result;
 }

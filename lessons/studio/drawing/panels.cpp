@@ -8,9 +8,9 @@ namespace scanlit::studio {
 
 Framebuffer panels(int width, int height, int columns, const std::vector<std::string>& captions,
                    const std::function<Framebuffer(int panel, int width, int height)>& draw,
-                   const Rgb<double>& paper) {
+                   const Rgb<double>& paper, int sheet_height) {
   const int count = int(captions.size()), rows = (count + columns - 1) / columns;
-  const WordSizes sizes = word_sizes(height);
+  const WordSizes sizes = word_sizes(sheet_height > 0 ? sheet_height : height);
   const int size = sizes.largest, gap = std::max(2, size / 2), caption = size * 17 / 10;
   const int panel_width = std::max(1, (width - gap * (columns + 1)) / columns);
   const int panel_height = std::max(1, (height - gap - rows * caption) / rows);
@@ -28,6 +28,13 @@ Framebuffer panels(int width, int height, int columns, const std::vector<std::st
                 captions[std::size_t(i)], Align::centre, dark ? ink::white : ink::black,
                 panel_width + gap, sizes);
   }
+  return sheet;
+}
+
+Framebuffer stacked(const Framebuffer& top, const Framebuffer& bottom) {
+  Framebuffer sheet(std::max(top.width, bottom.width), top.height + bottom.height);
+  paste(top, sheet, 0, 0);
+  paste(bottom, sheet, 0, top.height);
   return sheet;
 }
 

@@ -10,10 +10,14 @@
 namespace scanlit::studio {
 
 /// A sheet of so many columns, with a caption under each panel. `draw` is called for each caption
-/// in turn, with the panel's number and its size in pixels.
+/// in turn, with the panel's number and its size in pixels. Words as for a picture of sheet_height
+/// pixels; 0: of this height.
 Framebuffer panels(int width, int height, int columns, const std::vector<std::string>& captions,
                    const std::function<Framebuffer(int panel, int width, int height)>& draw,
-                   const Rgb<double>& paper = ink::slate);
+                   const Rgb<double>& paper = ink::slate, int sheet_height = 0);
+
+/// One above the other.
+Framebuffer stacked(const Framebuffer& top, const Framebuffer& bottom);
 
 /// Every block of n x n pixels becomes one, their mean: antialiasing for what is drawn pixel by
 /// pixel. Width and height have to be multiples of n.

@@ -6,10 +6,15 @@
 namespace scanlit::studio {
 
 Object make_object(const std::string& shape, const std::string& model, Shading shading) {
+  return make_object(shape, models::make(model).model, shading);
+}
+
+Object make_object(const std::string& shape, std::shared_ptr<const ReflectionModel> model,
+                   Shading shading) {
   Object object;
   object.mesh =
       std::make_shared<const Mesh>(is_shape(shape) ? make_shape(shape) : load_mesh(shape));
-  object.material.model = models::make(model).model;
+  object.material.model = std::move(model);
   object.material.ka = Rgb<double>(0);
   object.material.ambient_share = 0.1;
   object.shading = shading;

@@ -12,6 +12,10 @@ namespace scanlit::studio {
 Object make_object(const std::string& shape, const std::string& model,
                    Shading shading = Shading::phong);
 
+/// The same in a model that is there already, such as a lesson's own formula.
+Object make_object(const std::string& shape, std::shared_ptr<const ReflectionModel> model,
+                   Shading shading = Shading::phong);
+
 /// Far away in this direction.
 Light far_light(const glm::dvec3& towards_light, double intensity);
 
