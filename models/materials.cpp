@@ -107,20 +107,25 @@ std::string overridden(const std::string& text, std::span<const Argument> given)
   return result;
 }
 
-NamedModel make_material(const ModelInfo&, std::span<const Argument> arguments,
-                         const Context& context) {
+const NamedMaterial& find_material(std::span<const Argument> arguments) {
   const bool is_named = !arguments.empty() && arguments[0].key.empty();
   const std::string name = is_named ? arguments[0].value : "";
   const auto found = std::ranges::find(materials(), name, &NamedMaterial::name);
   if (found == materials().end())
     throw Error("unknown material '" + name + "'" + did_you_mean(name, names()));
+  return *found;
+}
+
+NamedModel make_material(const ModelInfo&, std::span<const Argument> arguments,
+                         const Context& context) {
+  const NamedMaterial& material = find_material(arguments);
   const auto given = arguments.subspan(1);
   for (const Argument& argument : given)
     if (argument.key.empty())
       throw Error(context.where,
-                  "expected key=value after '" + name + "', not '" + argument.value + "'");
-  NamedModel result = make(overridden(found->specification, given), context);
-  result.tangents = found->tangents;
+                  "expected key=value after '" + material.name + "', not '" + argument.value + "'");
+  NamedModel result = make(overridden(material.specification, given), context);
+  result.tangents = material.tangents;
   return result;
 }
 
@@ -134,6 +139,13 @@ const std::vector<NamedMaterial>& materials() {
     return result;
   }();
   return all;
+}
+
+std::string model_behind(const std::string& specification) {
+  const Specification given = parse_specification(specification);
+  if (given.name != "material") return specification;
+  const NamedMaterial& material = find_material(given.arguments);
+  return overridden(material.specification, std::span(given.arguments).subspan(1));
 }
 
 Entry material_entry() {

@@ -21,6 +21,10 @@ struct NamedMaterial {
 /// All of them, in the order in which they are listed.
 const std::vector<NamedMaterial>& materials();
 
+/// The model that material:NAME stands for, as one would write it; any other specification as it
+/// is. Throws Error where there is no such material.
+std::string model_behind(const std::string& specification);
+
 Entry material_entry();
 inline const bool material_registered = add(material_entry());
 

@@ -13,6 +13,7 @@ struct Command {
 };
 
 Command add_render_command(CLI::App& program);
+Command add_explain_command(CLI::App& program);
 Command add_frames_command(CLI::App& program);
 Command add_reflect_command(CLI::App& program);
 Command add_sheet_command(CLI::App& program);

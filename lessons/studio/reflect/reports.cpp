@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <sstream>
 
+#include "lessons/studio/reflect/model_part.h"
 #include "lessons/studio/reflect/query.h"
 #include "lessons/studio/reflect/reciprocity.h"
 #include "lessons/studio/table.h"
@@ -31,36 +32,6 @@ std::string text_of_direction(const Vec3<double>& a) {
 }
 
 double largest(const Rgb<double>& a) { return std::max({a.r, a.g, a.b}); }
-
-/// D, G or F of a model that is made of them: the part of this name, with the model's arguments.
-class Part {
- public:
-  Part(const models::NamedModel& whole, const std::string& name) {
-    const models::Specification given = models::parse_specification(whole.specification);
-    if (given.name != "cook-torrance" && given.name != "torrance-sparrow")
-      throw Error("--terms", "'" + given.name +
-                                 "' is not made of D, G and F; cook-torrance and torrance-sparrow "
-                                 "are");
-    std::string arguments;
-    for (const models::ParameterInfo& p : find_info(name)->parameters) {
-      const auto written = std::ranges::find(given.arguments, p.key, &models::Argument::key);
-      std::string value;
-      if (written != given.arguments.end())
-        value = written->value;
-      else if (p.kind == models::ParameterKind::choice)  // the model's default, not the part's
-        value = std::get<std::string>(models::value_of(whole.values, p.key));
-      if (!value.empty()) arguments += (arguments.empty() ? ":" : ",") + p.key + "=" + value;
-    }
-    model_ = models::make(name + arguments).model;
-  }
-
-  Rgb<double> operator()(const Vec3<double>& l, const Vec3<double>& v) const {
-    return model_->evaluate(l, v).glossy;
-  }
-
- private:
-  std::shared_ptr<const ReflectionModel> model_;
-};
 
 }  // namespace
 
@@ -108,7 +79,11 @@ std::string reciprocity_report(const models::NamedModel& model) {
 
 std::string terms_report(const models::NamedModel& model,
                          const std::vector<double>& light_angles_deg, double azimuth_deg) {
-  const Part D(model, "distribution"), G(model, "masking"), F(model, "fresnel");
+  if (!has_parts(model))
+    throw Error("--terms", "'" + model.specification +
+                               "' is not made of D, G and F; cook-torrance and torrance-sparrow "
+                               "are");
+  const ModelPart D(model, "distribution"), G(model, "masking"), F(model, "fresnel");
   std::ostringstream out;
   out << "D, G and F of " << model.specification << ", in the plane of incidence\n";
   for (const double light_deg : light_angles_deg) {
