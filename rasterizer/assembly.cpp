@@ -1,8 +1,8 @@
 // (6) Assembly: the vertices of a cluster become triangles; what cannot be seen is dropped, what is
 // cut is cut (4), and the rest is sorted into the tiles it may touch.
 #include <algorithm>
-#include <limits>
 
+#include "rasterizer/binning.h"
 #include "rasterizer/cluster_culling.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/stage_timer.h"
@@ -12,18 +12,11 @@ namespace scanlit {
 
 namespace {
 
-/// A triangle's place in one tile, before the tiles are in order.
-struct Placed {
-  std::uint32_t tile;
-  BinEntry entry;
-};
-
 /// What a thread keeps from chunk to chunk.
 struct Scratch {
   ClusterVertices vertices;
   CulledCluster culled;
-  std::vector<Placed> placed;
-  std::vector<Bin> bins;  // of all tiles; empty between chunks
+  Binner binner;
 };
 
 class Assembler {
@@ -34,16 +27,14 @@ class Assembler {
         chunk_(chunk),
         vertices_(scratch.vertices),
         culled_(scratch.culled),
-        placed_(scratch.placed),
-        bins_(scratch.bins),
+        binner_(scratch.binner),
         culler_(draw_, frame.viewport) {}
 
   void run() {
-    placed_.clear();
-    bins_.resize(std::max(bins_.size(), std::size_t(frame_.grid.count())));
+    binner_.begin_chunk(frame_.grid);
     const auto& clusters = draw_.clusters->clusters;
     for (std::uint32_t i = chunk_.first_cluster; i < chunk_.end_cluster; ++i) add(clusters[i]);
-    sort_into_bins();
+    binner_.end_chunk(chunk_);
   }
 
  private:
@@ -65,7 +56,10 @@ class Assembler {
       return;
     }
     cluster_ = &cluster;
-    if (chunk_.draw->object->shading == Shading::gouraud)
+    for (int i = 0; i < 3; ++i) corners_[i] = &draw_.clusters->corners[i][cluster.first_triangle];
+    numbers_ = &draw_.clusters->triangles[cluster.first_triangle];
+    binner_.begin_cluster();
+    if (shading_ == Shading::gouraud)
       for (auto& side : site_of_) std::fill_n(side, cluster.vertex_count, no_site);
     transform_vertices(draw_, cluster, frame_.viewport, vertices_);
     counts.vertices += cluster.vertex_count;
@@ -85,18 +79,32 @@ class Assembler {
     counts.no_pixel += culled_.no_pixel;
     counts.back_facing += culled_.back_facing;
     counts.drawn += culled_.drawn_count;
-    for (int i = 0; i < culled_.drawn_count; ++i) {
-      const ScreenTriangle t = screen(culled_.drawn[i]);
-      emit(t, culled_.drawn[i], DrawnTriangle::not_cut);
-    }
+    if (culled_.drawn_count > 0) add_drawn();
     for (int i = 0; i < culled_.large_count; ++i)
       count(add_whole(screen(culled_.large[i]), culled_.large[i], DrawnTriangle::not_cut));
+  }
+
+  /// Most clusters lie in one tile: their triangles need not be looked at one by one.
+  void add_drawn() {
+    const Rect box = intersection(culled_.box, picture_rect(frame_.viewport));
+    const bool in_one_tile = binner_.in_one_tile(box);
+    const auto begin = std::uint32_t(chunk_.triangles.size());
+    for (int i = 0; i < culled_.drawn_count; ++i) {
+      const ScreenTriangle t = screen(culled_.drawn[i]);
+      record(t, culled_.drawn[i], DrawnTriangle::not_cut);
+      if (!in_one_tile) place(t);
+    }
+    const auto end = std::uint32_t(chunk_.triangles.size());
+    if (in_one_tile) binner_.add({begin, end, vertices_.nearest, box, culled_.pixels});
   }
 
   /// A triangle, or a piece of one, that need not be cut.
   Fate add_whole(const ScreenTriangle& t, int local, std::uint32_t piece) {
     const Fate fate = cull(t, draw_, frame_.viewport, frame_.settings.samples);
-    if (fate == Fate::drawn || !skips().unseen_triangles) emit(t, local, piece);
+    if (fate == Fate::drawn || !skips().unseen_triangles) {
+      record(t, local, piece);
+      place(t);
+    }
     return fate;
   }
 
@@ -144,45 +152,41 @@ class Assembler {
     }
   }
 
-  std::uint32_t local_vertex(int local, int corner) const {
-    return draw_.clusters->corners[corner][cluster_->first_triangle + std::size_t(local)];
-  }
+  std::uint32_t local_vertex(int local, int corner) const { return corners_[corner][local]; }
   ScreenTriangle screen(int local) const {
     const ScreenVertex* v = vertices_.screen;
     return screen_triangle(v[local_vertex(local, 0)], v[local_vertex(local, 1)],
                            v[local_vertex(local, 2)]);
   }
 
-  /// The triangle, or piece, is to be scan-converted: a record, its sites, its tiles.
-  void emit(const ScreenTriangle& t, int local, std::uint32_t piece) {
-    const std::uint32_t number =
-        draw_.clusters->triangles[cluster_->first_triangle + std::size_t(local)];
-    const auto record = std::uint32_t(chunk_.triangles.size());
-    chunk_.triangles.push_back(
-        {{t.vertices[0], t.vertices[1], t.vertices[2]}, draw_.index, number, chunk_.index, piece});
+  /// The triangle, or piece, is to be scan-converted.
+  void record(const ScreenTriangle& t, int local, std::uint32_t piece) {
+    // Vertex by vertex into its place: 16 bytes at once.
+    DrawnTriangle& drawn = chunk_.triangles.emplace_back();
+    drawn.vertices[0] = t.vertices[0];
+    drawn.vertices[1] = t.vertices[1];
+    drawn.vertices[2] = t.vertices[2];
+    drawn.draw = draw_.index;
+    drawn.triangle = numbers_[local];
+    drawn.chunk = chunk_.index;
+    drawn.piece = piece;
     const bool behind = (t.twice_area < 0) != draw_.mirrored;
-    if (draw_.object->shading == Shading::flat)
-      chunk_.lit.sites.push_back({number, behind});
-    else if (draw_.object->shading == Shading::gouraud)
+    if (shading_ == Shading::flat)
+      chunk_.lit.sites.push_back({drawn.triangle, behind});
+    else if (shading_ == Shading::gouraud)
       for (int corner = 0; corner < 3; ++corner)
         chunk_.lit.corners.push_back(vertex_site(local_vertex(local, corner), behind));
+  }
 
+  /// Into its tiles goes the triangle that was recorded last.
+  void place(const ScreenTriangle& t) {
     // What hits no sample position and was not dropped has a place all the same: its box's pixels.
     const int samples = skips().unseen_triangles ? frame_.settings.samples : 0;
     const Rect r = intersection(pixel_bounds(t, samples), picture_rect(frame_.viewport));
     if (r.empty()) return;
     const float nearest = std::max({t.vertices[0].depth, t.vertices[1].depth, t.vertices[2].depth});
-    const TileGrid& grid = frame_.grid;
-    for (int row = grid.row(r.y_begin); row <= grid.row(r.y_end - 1); ++row)
-      for (int column = grid.column(r.x_begin); column <= grid.column(r.x_end - 1); ++column) {
-        const int tile = row * grid.columns + column;
-        const Rect pixels = intersection(r, grid.tile(column, row));
-        Bin& bin = bins_[std::size_t(tile)];
-        bin.touched = bin.end++ == 0 ? pixels : united(bin.touched, pixels);
-        bin.pixels += area(pixels);
-        first_tile_ = std::min(first_tile_, tile), last_tile_ = std::max(last_tile_, tile);
-        placed_.push_back({std::uint32_t(tile), {record, nearest}});
-      }
+    const auto end = std::uint32_t(chunk_.triangles.size());
+    binner_.add({end - 1, end, nearest, r, std::int32_t(area(r))});
   }
 
   /// The site of a vertex of the present cluster: made when first asked for.
@@ -196,24 +200,6 @@ class Assembler {
     return site;
   }
 
-  /// A counting sort by tile; in each tile the order stays.
-  void sort_into_bins() {
-    chunk_.entries.resize(placed_.size());
-    if (placed_.empty()) return;
-    const auto first = bins_.begin() + first_tile_, end = bins_.begin() + last_tile_ + 1;
-    chunk_.first_tile = first_tile_;
-    chunk_.bins.assign(first, end);
-    std::fill(first, end, Bin());
-    std::uint32_t position = 0;
-    for (Bin& bin : chunk_.bins) {
-      const std::uint32_t size = bin.end;
-      bin.begin = bin.end = position;
-      position += size;
-    }
-    Bin* const bins = chunk_.bins.data() - first_tile_;
-    for (const Placed& p : placed_) chunk_.entries[bins[p.tile].end++] = p.entry;
-  }
-
   static constexpr std::uint32_t no_site = 0xffffffffu;
 
   const Frame& frame_;
@@ -221,11 +207,14 @@ class Assembler {
   Chunk& chunk_;
   ClusterVertices& vertices_;
   CulledCluster& culled_;
-  std::vector<Placed>& placed_;
-  std::vector<Bin>& bins_;
-  int first_tile_ = std::numeric_limits<int>::max(), last_tile_ = 0;
+  Binner& binner_;
   ClusterCuller culler_;
+  Shading shading_ = draw_.object->shading;
+  // Of the present cluster: its triangles' corners, as numbers of its vertices, and their numbers
+  // in the mesh.
   const Cluster* cluster_ = nullptr;
+  const std::uint8_t* corners_[3]{};
+  const std::uint32_t* numbers_ = nullptr;
   std::uint32_t site_of_[2][ClusterVertices::capacity];
 };
 

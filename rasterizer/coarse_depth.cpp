@@ -177,6 +177,14 @@ bool CoarseDepth::hides(const Rect& pixels, float nearest, const VisibilityTile&
   return true;
 }
 
+void CoarseDepth::expect(const Rect& pixels) {
+  const auto [first_column, last_column, first_row, last_row] = blocks(pixels);
+  for (int row = first_row; row <= last_row; ++row)
+    for (int column = first_column; column <= last_column; ++column)
+      written_[std::size_t(row * stride_ + column)] +=
+          int(area(intersection(block(column, row), pixels)));
+}
+
 bool CoarseDepth::visible(const DrawnTriangle& triangle, const Rect& pixels,
                           const VisibilityTile& tile, VisibleColumns& columns) {
   const auto [first_column, last_column, first_row, last_row] = blocks(pixels);

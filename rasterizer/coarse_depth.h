@@ -35,6 +35,9 @@ class CoarseDepth {
   bool visible(const DrawnTriangle& triangle, const Rect& pixels, const VisibilityTile& tile,
                VisibleColumns& columns);
 
+  /// Triangles are about to be drawn here without having been asked for.
+  void expect(const Rect& pixels);
+
  private:
   static constexpr int block_width = 16, block_height = VisibleColumns::block_height;
 

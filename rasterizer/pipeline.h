@@ -11,9 +11,11 @@
 //   (6) assembly         assembly.cpp       clusters and triangles that cannot be seen screen
 //                                           are dropped (cluster_culling.h,
 //                                           triangle_culling.h), the rest sorted into tiles
+//                                           (binning.h)
 //   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
 //                                           (in which order, and what is hidden:
-//                                           tile_triangles.h, coarse_depth.h)
+//                                           tile_triangles.h, coarse_depth.h; many at once
+//                                           where they are tiny: tiny_triangles.h)
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
 //       surface          surface.h          attributes at faces, vertices, fragments   object
@@ -107,6 +109,7 @@ struct ClusterVertices {
   std::int32_t x[capacity], y[capacity];
   std::uint8_t outcodes[capacity];
   std::uint8_t any_outcode;  // outside of any plane: the bitwise or of all
+  float nearest;             // the greatest depth, where none is outside
 };
 
 // -------------------------------------------------------------------------------------- (4) clip
@@ -182,13 +185,14 @@ struct LitSites {
 struct Bin {
   std::uint32_t begin = 0, end = 0;  // in Chunk::entries
   Rect touched{};                    // the pixels in the tile that they may touch
-  std::int64_t pixels = 0;           // in their boxes, summed: an estimate of the work
 };
 
-/// A triangle in a bin.
+/// Triangles of one cluster that lie in one tile, in whole or in part.
 struct BinEntry {
-  std::uint32_t triangle;  // in Chunk::triangles
-  float nearest;           // its greatest depth
+  std::uint32_t begin, end;  // in Chunk::triangles
+  float nearest;             // the greatest depth of any of them, or more
+  Rect touched;              // the pixels in the tile that they may touch
+  std::int32_t pixels;       // in their boxes, summed: an estimate of the work
 };
 
 /// Some clusters of one draw, and what assembly made of them.

@@ -140,51 +140,6 @@ Batch::Mask inside(const hn::Vec<Ints> (&edge)[3]) {
   return {hn::RebindMask(Batch::tag, hn::Gt(any_negative, hn::Set(ints, -1)))};
 }
 
-constexpr int tiny_size = 4;
-
-/// For boxes of at most 4 x 4 pixels: a vector holds several rows, and the few pixels that are
-/// covered are written one by one. Covers what draw_spans covers, at the same depths.
-void draw_tiny(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& box,
-               const Target& target) {
-  constexpr int rows_in_vector = lanes / tiny_size;
-  const SmallEdges edges(triangle, box);
-  const bool single = box.x_end - box.x_begin == 1 && box.y_end - box.y_begin == 1;
-  if (single && (edges.first[0] | edges.first[1] | edges.first[2]) < 0) return;
-  const DepthPlane plane(triangle);
-  const auto put = [&](int x, int y, float z) {
-    z = std::min(std::max(z, plane.min()), plane.max());
-    const auto at = target.offset(x, y);
-    float& depth = target.depth[at];
-    TriangleId& id = target.triangle[at];
-    if (z > depth || (z == depth && z > 0 && drawn.drawn_before(id))) depth = z, id = drawn.id;
-  };
-  if (single) return put(box.x_begin, box.y_begin, plane.at(box.x_begin, box.y_begin));
-  const auto lane = hn::Iota(ints, 0);
-  const auto row = hn::ShiftRight<2>(lane), column = hn::And(lane, hn::Set(ints, 3));
-  const auto in_columns = hn::Lt(column, hn::Set(ints, box.x_end - box.x_begin));
-  for (int y = box.y_begin; y < box.y_end; y += rows_in_vector) {
-    hn::Vec<Ints> edge[3];
-#pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i) {
-      const auto start = hn::Set(ints, edges.first[i] + (y - box.y_begin) * edges.per_row[i]);
-      edge[i] = hn::Add(hn::Add(start, hn::Mul(column, hn::Set(ints, edges.per_column[i]))),
-                        hn::Mul(row, hn::Set(ints, edges.per_row[i])));
-    }
-    const auto in_rows = hn::Lt(row, hn::Set(ints, box.y_end - y));
-    const auto in_box = hn::RebindMask(Batch::tag, hn::And(in_columns, in_rows));
-    unsigned covered = bits_of(inside(edge) & Batch::Mask{in_box});
-    float anchor = 0;
-    for (int anchor_row = -1, anchor_column = 0; covered != 0; covered &= covered - 1) {
-      const int bit = std::countr_zero(covered), r = bit / tiny_size, x = box.x_begin + bit % 4;
-      if (r != anchor_row) {
-        anchor_row = r, anchor_column = x;
-        anchor = plane.at(x, y + r);
-      }
-      put(x, y + r, anchor + float(x - anchor_column) * plane.per_pixel());
-    }
-  }
-}
-
 /// Row by row with the edge functions of all of a row's pixels at once: for triangles so small that
 /// following their edges costs more than testing every pixel of their box. Covers exactly what
 /// draw_spans covers, at the same depths.
@@ -227,10 +182,7 @@ void draw(const ScreenTriangle& triangle, const Drawn& drawn, const Target& targ
   if (!in_small_box(box, target.rect)) return draw_spans(triangle, drawn, target);
   const Rect part{box.x_begin, std::max(box.y_begin, target.rect.y_begin),
                   std::min(box.x_end, target.rect.x_end), std::min(box.y_end, target.rect.y_end)};
-  if (box.x_end - box.x_begin <= tiny_size && box.y_end - box.y_begin <= tiny_size)
-    draw_tiny(triangle, drawn, part, target);
-  else
-    draw_small(triangle, drawn, part, target);
+  draw_small(triangle, drawn, part, target);
 }
 
 }  // namespace

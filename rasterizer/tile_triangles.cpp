@@ -1,5 +1,7 @@
 #include "rasterizer/tile_triangles.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 
 #include "rasterizer/triangle_culling.h"
@@ -20,21 +22,40 @@ void TileTriangles::gather(const Frame& frame, int tile, VisibilityTile& visibil
     const Bin& bin = chunk.bins[std::size_t(i)];
     if (bin.begin == bin.end) continue;
     touched = united(touched, bin.touched);
-    pixels += bin.pixels;
-    parts_.push_back({&chunk, &bin, 0});
+    Part& part = parts_.emplace_back(&chunk, &bin, 0.0f);
+    for (const BinEntry& entry : part.entries()) {
+      part.nearest = std::max(part.nearest, entry.nearest);
+      pixels += entry.pixels;
+    }
   }
   if (parts_.empty()) touched = {rect.x_begin, rect.y_begin, rect.x_begin, rect.y_begin};
   if (!skips.empty_pixels) touched = rect;
   visibility.reset(rect, touched, frame.settings.samples);
 
+  one_by_one_ = !skips.unseen_triangles || !skips.hidden_fragments;
   // Boxes are about twice as large as their triangles: four times over is two layers.
   deep_ = skips.hidden_triangles && pixels > 4 * area(touched);
   if (!deep_) return;
   coarse_.reset(visibility);
-  for (Part& part : parts_)
-    for (std::uint32_t i = part.bin->begin; i < part.bin->end; ++i)
-      part.nearest = std::max(part.nearest, part.chunk->entries[i].nearest);
   std::ranges::stable_sort(parts_, std::ranges::greater(), &Part::nearest);
+}
+
+bool TileTriangles::begin_entry(const BinEntry& entry) {
+  const auto count = std::int64_t(entry.end - entry.begin);
+  const bool tiny = !one_by_one_ && entry.pixels <= count * most_pixels_if_tiny;
+  if (tiny && deep_) coarse_.expect(entry.touched);
+  return tiny;
+}
+
+TriangleId TileTriangles::number(std::span<const DrawnTriangle> triangles,
+                                 VisibilityTile& visibility) {
+  const auto first = TriangleId(visibility.triangles.size());
+  for (const DrawnTriangle& triangle : triangles) {
+    visibility.triangles.push_back(&triangle);
+    // Those after the next: to wait for them would take longer than all that is done with them.
+    hwy::Prefetch(&triangle + 2 * tiny_at_once);
+  }
+  return first;
 }
 
 bool TileTriangles::worth_drawing(const Frame& frame, const DrawnTriangle& triangle) {

@@ -1,6 +1,7 @@
 #include "rasterizer/triangle_culling.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "rasterizer/batch.h"
 #include "rasterizer/scan_conversion.h"
@@ -75,6 +76,8 @@ void cull_cluster(const Draw& draw, const Cluster& cluster, const ClusterVertice
   const auto up = hn::Set(ints, samples == 1 ? half_pixel - 1 : 0);
   const auto past = hn::Set(ints, samples == 1 ? 0 : 1);
   const auto width = hn::Set(ints, viewport.width), height = hn::Set(ints, viewport.height);
+  const auto largest = hn::Set(ints, std::numeric_limits<std::int32_t>::max());
+  IntVector least_x = largest, least_y = largest, end_x = zero, end_y = zero, pixels = zero;
 
   for (int k = 0; k < count; k += lanes) {
     const std::size_t first = cluster.first_triangle + std::size_t(k);
@@ -118,9 +121,19 @@ void cull_cluster(const Draw& draw, const Cluster& cluster, const ClusterVertice
                   hn::And(covers(b, c, px, py, flip), covers(c, a, px, py, flip)));
       drop(hn::AndNot(covered, single), result.no_pixel);
     }
+    least_x = hn::Min(least_x, hn::IfThenElse(left, x0, largest));
+    least_y = hn::Min(least_y, hn::IfThenElse(left, y0, largest));
+    end_x = hn::Max(end_x, hn::IfThenElseZero(left, x1));
+    end_y = hn::Max(end_y, hn::IfThenElseZero(left, y1));
+    const auto box_pixels = hn::Mul(hn::Sub(x1, x0), hn::Sub(y1, y0));
+    pixels = hn::Add(pixels, hn::IfThenElseZero(left, box_pixels));
     for_each_lane(left,
                   [&](int lane) { result.drawn[result.drawn_count++] = std::uint8_t(k + lane); });
   }
+  const auto lane = [](IntVector v) { return int(hn::GetLane(v)); };
+  result.box = {lane(hn::MinOfLanes(ints, least_x)), lane(hn::MinOfLanes(ints, least_y)),
+                lane(hn::MaxOfLanes(ints, end_x)), lane(hn::MaxOfLanes(ints, end_y))};
+  result.pixels = lane(hn::SumOfLanes(ints, pixels));
 }
 
 }  // namespace scanlit

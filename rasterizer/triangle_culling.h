@@ -39,6 +39,8 @@ struct CulledCluster {
   std::uint8_t large[capacity];  // these want cull(): their coordinates' products leave 32 bits
   int large_count = 0;
   int outside = 0, no_pixel = 0, back_facing = 0;
+  Rect box;             // of those that are drawn: their pixel_bounds, united
+  std::int32_t pixels;  // in their boxes, summed
 };
 
 /// All triangles of a cluster none of whose vertices is outside of anything: whole vectors of them,

@@ -81,6 +81,7 @@ void transform_vertices(const Draw& draw, const Cluster& cluster, const Viewport
   const auto count = hn::Set(Ints(), std::int32_t(cluster.vertex_count));
 
   IntVector any_code = hn::Zero(Ints());
+  Batch nearest_depth(0);
   for (std::size_t i = 0; i < cluster.vertex_count; i += lanes) {
     Batch px, py, pz;
     hn::LoadInterleaved3(Batch::tag, &positions[i].x, px.raw, py.raw, pz.raw);
@@ -95,7 +96,11 @@ void transform_vertices(const Draw& draw, const Cluster& cluster, const Viewport
     hn::StoreU(hn::DemoteTo(bytes, codes), bytes, out.outcodes + i);
     const auto in_cluster = hn::Lt(hn::Iota(Ints(), std::int32_t(i)), count);
     any_code = hn::Or(any_code, hn::IfThenElseZero(in_cluster, codes));
+    const auto depth_in_cluster =
+        hn::IfThenElseZero(hn::RebindMask(Batch::tag, in_cluster), screen.depth.raw);
+    nearest_depth = max(nearest_depth, depth_in_cluster);
   }
+  out.nearest = hn::GetLane(hn::MaxOfLanes(Batch::tag, nearest_depth.raw));
   out.any_outcode = 0;
   std::int32_t lane_codes[max_lanes];
   hn::StoreU(any_code, Ints(), lane_codes);
