@@ -5,6 +5,7 @@
 
 #include "models/scratch_span.h"
 #include "rasterizer/batch.h"
+#include "rasterizer/bounded_directions.h"
 #include "rasterizer/error.h"
 
 namespace scanlit::models {
@@ -47,6 +48,17 @@ void Sum::evaluate(const DirectionSpan& in, const ReflectionSpan& out) const {
     }
     first = false;
   }
+}
+
+bool Sum::bounds(const BoundedCosines& in, BoundedReflection& out) const {
+  out.value = {Rgb<Bounded>(Bounded(0)), Rgb<Bounded>(Bounded(0))};
+  for (const auto& [weight, model] : terms_) {
+    BoundedReflection term;
+    if (!model->bounds(in, term)) return false;
+    out.value.diffuse = out.value.diffuse + term.value.diffuse * Bounded(weight);
+    out.value.glossy = out.value.glossy + term.value.glossy * Bounded(weight);
+  }
+  return true;
 }
 
 namespace {

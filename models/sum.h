@@ -24,6 +24,7 @@ class Sum final : public ReflectionModel {
   Needs needs() const override { return needs_; }
   void evaluate_parameters(const PointSpan& points, float* const* out) const override;
   void evaluate(const DirectionSpan& in, const ReflectionSpan& out) const override;
+  bool bounds(const BoundedCosines& in, BoundedReflection& out) const override;
   Reflection<double> evaluate(const Vec3<double>& l, const Vec3<double>& v,
                               const SurfacePoint<double>& point) const override;
   Reflection<float> evaluate(const Vec3<float>& l, const Vec3<float>& v,

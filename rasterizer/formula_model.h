@@ -20,6 +20,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "rasterizer/bounded_directions.h"
 #include "rasterizer/radiance.h"
 
 namespace scanlit {
@@ -42,6 +43,16 @@ Needs needs_of(const Formula& formula) {
   Needs needs{.frame = Takes<Formula>::frame, .surface_point = Takes<Formula>::point};
   if constexpr (requires { formula.isotropic(); }) needs.frame = !formula.isotropic();
   return needs;
+}
+
+/// Whether a formula is evaluated over bounds (bounded.h): not if it looks at tangents or at the
+/// surface point, of which none are known, or if it calls what Bounded has not and says so by a
+/// member `static constexpr bool has_bounds = false`.
+template <class Formula>
+constexpr bool has_bounds() {
+  if constexpr (requires { Formula::has_bounds; }) return Formula::has_bounds;
+  constexpr bool isotropic = requires(const Formula& f) { f.isotropic(); };
+  return !Takes<Formula>::point && (!Takes<Formula>::frame || isotropic);
 }
 
 /// The formula's value, whatever it is where the light is below the horizon.
@@ -149,6 +160,17 @@ class FormulaModel final : public ReflectionModel {
     for (std::size_t i = 0; i < in.size; i += several)
       evaluations += radiance_of_block<radiance_vectors>(in, lights, out, i, reflect);
     return evaluations;
+  }
+
+  // Not inlined: once for many points, it need not be fast, and the compiler would take long.
+  bool bounds([[maybe_unused]] const BoundedCosines& in,
+              [[maybe_unused]] BoundedReflection& out) const override {
+    if constexpr (has_bounds<Formula>()) {
+      if (needs_of(formula_).frame) return false;
+      out.value = value_of(formula_, in.cosines, ShadingFrame<Bounded>{}, SurfacePoint<Bounded>{});
+      return true;
+    }
+    return false;
   }
 
   Reflection<double> evaluate(const Vec3<double>& l, const Vec3<double>& v,

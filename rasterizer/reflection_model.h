@@ -100,6 +100,9 @@ struct RadianceSpan {
   float* evaluations = nullptr;  // adds 1 to each point's for each light it is evaluated under
 };
 
+struct BoundedCosines;
+struct BoundedReflection;
+
 class ReflectionModel {
  public:
   virtual ~ReflectionModel() = default;
@@ -119,6 +122,11 @@ class ReflectionModel {
   /// does, because sums that stay in registers cost half the time.
   virtual std::size_t radiance(const ViewedSpan& in, std::span<const LightSource> lights,
                                const RadianceSpan& out) const;
+
+  /// What is known of the reflection where no more is known of the cosines than this, and how fast
+  /// it changes along a row of pixels; above the horizon. False where nothing is: all points are to
+  /// be evaluated, then. FormulaModel gets it from the formula itself.
+  virtual bool bounds(const BoundedCosines&, BoundedReflection& /*out*/) const { return false; }
 
   /// A single query: l towards the light, v towards the viewer, unit, in the shading frame (x
   /// tangent, y bitangent, z normal). 0 where light or viewer is at or below the horizon.

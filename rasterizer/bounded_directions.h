@@ -1,0 +1,140 @@
+// Bounds of the directions that a reflection model sees across a triangle, as cones: and from them
+// of its cosines. Each lane is a triangle; `t`, of which slopes speak, is the distance along a row,
+// in pixels (bounded.h).
+//
+// With unit vectors a(t) and b(t), (a.b)' = a'.b + a.b'. As a' is perpendicular to a, |a'.b| is at
+// most |a'| sin(a, b): near the top of a lobe, where a = b, the cosine hardly changes. A unit
+// vector's a'' has the part -|a'|^2 along a; `turning` is what it has across a.
+#pragma once
+
+#include "rasterizer/batch_vec.h"
+#include "rasterizer/bounded_functions.h"
+
+namespace scanlit {
+inline namespace HWY_NAMESPACE {
+
+/// A vector X(t) of any length.
+struct BoundedVector {
+  Vec3<Batch> centre;
+  Batch radius;          // |X - centre|, at most
+  Vec3<Batch> velocity;  // X' is s times this, 0 <= s <= 1, ...
+  Batch unsteadiness;    // ... and at most so much more
+  Batch acceleration;    // |X''|, at most
+};
+
+/// The way from a moving point to a fixed one.
+inline BoundedVector towards(const Vec3<Batch>& end, const BoundedVector& from) {
+  return {end - from.centre, from.radius, -from.velocity, from.unsteadiness, from.acceleration};
+}
+
+/// How fast a vector grows longer, and how fast it swings round; at most.
+struct Motion {
+  Batch length, least;  // of the centre; of X
+  Vec3<Batch> centre;   // unit
+  Batch sine;           // of the angle between X and the centre, at most
+  Batch along, across;
+
+  explicit Motion(const BoundedVector& x) : length(sqrt(dot(x.centre, x.centre))) {
+    least = length - x.radius;
+    const Batch inverse = Batch(1) / length;
+    centre = x.centre * inverse;
+    sine = x.radius * inverse;
+    const Batch forward = dot(x.velocity, centre);
+    const Vec3<Batch> sideways = x.velocity - centre * forward;
+    const Batch side = sqrt(dot(sideways, sideways));
+    along = abs(forward) + side * sine + x.unsteadiness;
+    across = side + abs(forward) * sine + x.unsteadiness;
+  }
+
+  /// Else X may point anywhere, or nearly so.
+  Batch::Mask has_direction() const {
+    return (sine < Batch(0.5f)) & scanlit::has_direction(least * least);
+  }
+};
+
+inline Bounded length(const BoundedVector& x) {
+  const Motion motion(x);
+  const Bounded result =
+      Bounded::rounded_outwards(motion.least, motion.length + x.radius, Batch(1e-6f), motion.along,
+                                x.acceleration + motion.across * motion.across / motion.least);
+  return known_where(motion.has_direction(), result);
+}
+
+/// A unit vector. Where `speed` is NaN nothing is known.
+struct BoundedDirection {
+  Vec3<Batch> centre;                       // unit
+  Batch reach = 0, speed = 0, turning = 0;  // |a - centre|, |a'|, |a''| across a: at most
+};
+
+inline BoundedDirection direction(const BoundedVector& x) {
+  const Motion motion(x);
+  const Batch inverse = Batch(1) / motion.least, nan = std::numeric_limits<float>::quiet_NaN();
+  const Batch speed = select(motion.has_direction(), motion.across * inverse, nan);
+  return {.centre = motion.centre,
+          // The chord of an angle of up to 30 degrees is at most 1.036 times its sine.
+          .reach = Batch(1.04f) * motion.sine,
+          .speed = speed,
+          .turning = (x.acceleration + Batch(2) * motion.along * speed) * inverse};
+}
+
+/// L + V.
+inline BoundedVector sum(const BoundedDirection& a, const BoundedDirection& b) {
+  const Batch bend_a = a.turning + a.speed * a.speed, bend_b = b.turning + b.speed * b.speed;
+  return {.centre = a.centre + b.centre,
+          .radius = a.reach + b.reach,
+          .velocity = {Batch(0), Batch(0), Batch(0)},
+          .unsteadiness = a.speed + b.speed,
+          .acceleration = bend_a + bend_b};
+}
+
+/// Of the angle between two directions. The centres enclose theta, and each direction deviates from
+/// its centre by an angle of at most 1.05 times its reach (for a reach of up to 1): the cosine lies
+/// between those of theta - spread and theta + spread.
+inline Cosine<Bounded> cosine(const BoundedDirection& a, const BoundedDirection& b) {
+  const Vec3<Batch> chord = a.centre - b.centre;
+  const Batch reach = a.reach + b.reach, spread = Batch(1.05f) * reach;
+  const Batch apart = sqrt(dot(chord, chord)), versine = Batch(0.5f) * apart * apart;
+  const Batch cos = Batch(1) - versine, sin = sqrt(max(versine * (Batch(2) - versine), Batch(0)));
+  const Batch rounding(2e-6f), room = sin * spread, bulge = Batch(0.5f) * spread * spread;
+  const Batch lo = cos - room - max(cos, Batch(0)) * bulge - rounding;
+  const Batch hi = cos + room + max(-cos, Batch(0)) * bulge + rounding;
+
+  const Batch one(1), near = max(apart - reach, Batch(0)), far = apart + reach;
+  const Batch sine = min(one, sin + spread + rounding);
+  const Batch steepest = min(one, max(abs(lo), abs(hi)));
+  const Batch slope = (a.speed + b.speed) * sine;
+  const Batch curvature = (a.turning + b.turning) * sine + Batch(2) * a.speed * b.speed +
+                          (a.speed * a.speed + b.speed * b.speed) * steepest;
+  const auto wide = reach > one;
+  // Near 0 the square of the chord is the sharper bound of the versine.
+  const Bounded u(Batch(0.5f) * near * near * Batch(1 - 2e-6f),
+                  min(Batch(0.5f) * far * far * Batch(1 + 2e-6f), one - lo), slope, curvature);
+  return {
+      .cos = {select(wide, -one, max(lo, -one)), select(wide, one, min(hi, one)), slope, curvature},
+      .versine = {select(wide, Batch(0), u.lo), select(wide, Batch(2), u.hi), slope, curvature}};
+}
+
+/// As cosines() of cosines.h. V.H = |L + V| / 2.
+inline Cosines<Bounded> cosines(const BoundedDirection& n, const BoundedDirection& l,
+                                const BoundedDirection& v) {
+  const BoundedVector s = sum(l, v);
+  const Cosine<Bounded> n_l = cosine(n, l), n_v = cosine(n, v);
+  return {.n_l = n_l.cos,
+          .n_v = max(n_v.cos, Bounded(min_n_v)),
+          .n_h = cosine(n, direction(s)),
+          .v_h = min(Bounded(1), Bounded(0.5f) * length(s)),
+          .n_l_versine = n_l.versine,
+          .n_v_versine = min(n_v.versine, Bounded(1 - min_n_v))};
+}
+
+}  // namespace HWY_NAMESPACE
+
+/// What ReflectionModel::bounds() is asked, and answers.
+struct BoundedCosines {
+  Cosines<Bounded> cosines;
+};
+struct BoundedReflection {
+  Reflection<Bounded> value;
+};
+
+}  // namespace scanlit
