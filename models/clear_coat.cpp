@@ -93,7 +93,7 @@ void ClearCoat::evaluate(const DirectionSpan& in, const ReflectionSpan& out) con
 template <class T>
 Reflection<T> ClearCoat::query(const Vec3<T>& l, const Vec3<T>& v,
                                const SurfacePoint<T>& point) const {
-  if (!(l.z > 0) || !(v.z > 0)) return {};
+  if (!(l.z > 0) || (!(v.z > 0) && !point.drawn)) return {};
   const Vec3<T> n{T(0), T(0), T(1)};
   const Cosines<T> c = cosines(n, l, v);
   const T n_l = coat_.refracted_cosine(c.n_l);

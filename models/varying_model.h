@@ -183,7 +183,7 @@ class VaryingModel final : public ReflectionModel {
     std::vector<float> storage(needs_.parameters * max_lanes);
     std::vector<float*> arrays(needs_.parameters);
     for (std::size_t k = 0; k < arrays.size(); ++k) arrays[k] = &storage[k * max_lanes];
-    evaluate_parameters(points, arrays.data());
+    evaluate_parameters(point.drawn ? *point.drawn : points, arrays.data());
     Of<T> formula = with_constants<T>();
     set_varying(formula, [&](std::size_t k) { return T(arrays[k][0]); });
     return query(formula, l, v, point);

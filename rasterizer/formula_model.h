@@ -86,7 +86,7 @@ Reflection<T> above_horizon(const Formula& formula, const Cosines<T>& c,
 template <class T, class Formula>
 Reflection<T> query(const Formula& formula, const Vec3<T>& l, const Vec3<T>& v,
                     const SurfacePoint<T>& point) {
-  if (!(v.z > 0)) return {};
+  if (!(v.z > 0) && !point.drawn) return {};
   const Vec3<T> n{T(0), T(0), T(1)}, t{T(1), T(0), T(0)};
   return above_horizon(formula, cosines(n, l, v), shading_frame(n, t, l, v), point);
 }

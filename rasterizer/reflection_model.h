@@ -21,12 +21,18 @@ struct Reflection {
   Rgb<T> glossy;
 };
 
+struct PointSpan;
+
 /// The surface point a formula sees if it asks for it.
 template <class T>
 struct SurfacePoint {
   Vec3<T> object_position;       // object space
   T u{}, v{};                    // texture coordinates; 0 where the mesh has none
   Rgb<T> vertex_colour{T(1.0)};  // linear; white where the mesh has none
+  // Single queries: a span of this one point, where it is one of a picture. It is visible then, so
+  // that a viewer below the horizon is taken for one just above; and parameters that vary see what
+  // the span holds.
+  const PointSpan* drawn = nullptr;
 };
 
 /// What a model asks the engine to provide beyond the four cosines.
@@ -129,7 +135,8 @@ class ReflectionModel {
   virtual bool bounds(const BoundedCosines&, BoundedReflection& /*out*/) const { return false; }
 
   /// A single query: l towards the light, v towards the viewer, unit, in the shading frame (x
-  /// tangent, y bitangent, z normal). 0 where light or viewer is at or below the horizon.
+  /// tangent, y bitangent, z normal). 0 where light or viewer is at or below the horizon (but see
+  /// SurfacePoint::drawn).
   virtual Reflection<double> evaluate(const Vec3<double>& l, const Vec3<double>& v,
                                       const SurfacePoint<double>& point = {}) const = 0;
   virtual Reflection<float> evaluate(const Vec3<float>& l, const Vec3<float>& v,

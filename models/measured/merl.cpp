@@ -139,13 +139,13 @@ void Merl::evaluate(const DirectionSpan& in, const ReflectionSpan& out) const {
 }
 
 Reflection<double> Merl::evaluate(const Vec3<double>& l, const Vec3<double>& v,
-                                  const SurfacePoint<double>&) const {
-  if (!(v.z > 0)) return {};
+                                  const SurfacePoint<double>& point) const {
+  if (!(v.z > 0) && !point.drawn) return {};
   return {.diffuse = {}, .glossy = reflection({0, 0, 1}, l, v)};
 }
 Reflection<float> Merl::evaluate(const Vec3<float>& l, const Vec3<float>& v,
-                                 const SurfacePoint<float>&) const {
-  if (!(v.z > 0)) return {};
+                                 const SurfacePoint<float>& point) const {
+  if (!(v.z > 0) && !point.drawn) return {};
   return {.diffuse = {}, .glossy = reflection({0, 0, 1}, l, v)};
 }
 

@@ -12,10 +12,6 @@ namespace {
 
 using glm::dvec3;
 
-struct Patch {
-  dvec3 control[4][4];
-};
-
 /// Bernstein's cubic polynomials and their derivatives at i / n.
 struct Weights {
   double value[4], slope[4];
@@ -40,30 +36,13 @@ dvec3 weighted(const double (&w)[4], const dvec3& a, const dvec3& b, const dvec3
   return (w[0] * a + w[3] * d) + (w[1] * b + w[2] * c);  // the same in reverse
 }
 
-dvec3 weighted(const Patch& patch, const double (&u)[4], const double (&v)[4]) {
+dvec3 weighted(const BezierPatch& patch, const double (&u)[4], const double (&v)[4]) {
   const auto& p = patch.control;
   const auto row = [&](int i) { return weighted(v, p[i][0], p[i][1], p[i][2], p[i][3]); };
   return weighted(u, row(0), row(1), row(2), row(3));
 }
 
-/// The patch in the shape's coordinates.
-Patch placed(const double (&published)[4][4][3]) {
-  Patch patch;
-  for (int i = 0; i < 4; ++i)
-    for (int j = 0; j < 4; ++j) {
-      const double(&p)[3] = published[i][j];
-      patch.control[i][j] = shape_from_teapot({p[0], p[1], p[2]});
-    }
-  // On top of the knob, points that should be one are .002 apart in the data. Left so, they make a
-  // pinhole whose border has normals in all directions.
-  constexpr double one_point = 0.003;
-  dvec3(&edge)[4] = patch.control[0];
-  if (std::ranges::all_of(edge, [&](const dvec3& p) { return distance(p, edge[0]) < one_point; }))
-    std::ranges::fill(edge, edge[0]);
-  return patch;
-}
-
-dvec3 normal(const Patch& patch, const Weights& u, const Weights& v) {
+dvec3 normal(const BezierPatch& patch, const Weights& u, const Weights& v) {
   const dvec3 along_u = weighted(patch, u.slope, v.value);
   dvec3 along_v = weighted(patch, u.value, v.slope);
   // Where the edge u = 0 is a point, dP/dv vanishes; close to it, it is u d2P/dudv. What rounding
@@ -83,10 +62,27 @@ dvec3 shape_from_teapot(const dvec3& published) {
          half_length;
 }
 
+BezierPatch teapot_patch(int index) {
+  const auto& published = teapot_patches[index];
+  BezierPatch patch;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 4; ++j) {
+      const double(&p)[3] = published[i][j];
+      patch.control[i][j] = shape_from_teapot({p[0], p[1], p[2]});
+    }
+  // On top of the knob, points that should be one are .002 apart in the data. Left so, they make a
+  // pinhole whose border has normals in all directions.
+  constexpr double one_point = 0.003;
+  dvec3(&edge)[4] = patch.control[0];
+  if (std::ranges::all_of(edge, [&](const dvec3& p) { return distance(p, edge[0]) < one_point; }))
+    std::ranges::fill(edge, edge[0]);
+  return patch;
+}
+
 PolyMesh make_teapot(int n) {
   ShapeBuilder shape(64 * std::size_t(n) * std::size_t(n));
-  for (const auto& published : teapot_patches) {
-    const Patch patch = placed(published);
+  for (int p = 0; p < teapot_patch_count; ++p) {
+    const BezierPatch patch = teapot_patch(p);
     shape.add_grid(n, n, [&](int i, int j) {
       const Weights v(i, n), u(j, n);
       return SurfacePoint{
