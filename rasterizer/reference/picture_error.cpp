@@ -53,16 +53,17 @@ double encoded(double linear, Encoding encoding) {
 }
 
 std::vector<bool> silhouettes(const ExactPicture& a, const ExactPicture& b, const Camera& camera) {
-  constexpr double leap = 10;             // pixel widths
-  const double crease = std::sqrt(0.75);  // cosine of 30 degrees
+  constexpr double leap = 10, other_part = 50;  // pixel widths
+  const double crease = std::sqrt(0.75);        // cosine of 30 degrees
   std::vector<bool> result(a.pixel_count());
-  const auto apart = [&](const ExactPicture& p, std::size_t i, const ExactPicture& q,
-                         std::size_t j) {
+  const auto apart = [&](const ExactPicture& p, std::size_t i, const ExactPicture& q, std::size_t j,
+                         double widths) {
     if (p.object[i] != q.object[j]) return true;
     if (p.object[i] == no_id) return false;
     if (glm::dot(p.normal[i], q.normal[j]) < crease) return true;
     const double nearest = std::min(p.distance[i], q.distance[j]);
-    return std::abs(p.distance[i] - q.distance[j]) > leap * pixel_width(camera, a.height, nearest);
+    return std::abs(p.distance[i] - q.distance[j]) >
+           widths * pixel_width(camera, a.height, nearest);
   };
   for (int y = 0; y < a.height; ++y)
     for (int x = 0; x < a.width; ++x) {
@@ -70,10 +71,11 @@ std::vector<bool> silhouettes(const ExactPicture& a, const ExactPicture& b, cons
         return std::size_t(row) * std::size_t(a.width) + std::size_t(column);
       };
       const std::size_t i = pixel(x, y);
-      bool edge = apart(a, i, b, i);
+      bool edge = apart(a, i, b, i, other_part);
       for (int row = std::max(y - 1, 0); row <= std::min(y + 1, a.height - 1); ++row)
         for (int column = std::max(x - 1, 0); column <= std::min(x + 1, a.width - 1); ++column)
-          edge |= apart(a, i, a, pixel(column, row)) || apart(b, i, b, pixel(column, row));
+          edge |=
+              apart(a, i, a, pixel(column, row), leap) || apart(b, i, b, pixel(column, row), leap);
       result[i] = edge;
     }
   return result;

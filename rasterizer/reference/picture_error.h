@@ -28,11 +28,12 @@ struct PictureError {
   double peak = 0;                   // the reference's largest channel, linear
 };
 
-/// Pixels in whose neighbourhood of 3 x 3 either picture sees an edge, and those at which the two
-/// are as far apart: another object, or none; a distance that leaps by more than 10 pixel widths,
-/// as it does at contours and on what is seen within 6 degrees of edge-on; normals more than 30
-/// degrees apart, as at a crease or where one part passes through another. Pictures of equal size,
-/// as render_reference and render_analytic give them.
+/// Pixels that see an edge or lie beside one (in the 3 x 3 around), in either picture: another
+/// object, or none; a distance that leaps by more than 10 pixel widths, as it does at contours and
+/// on what is seen within 6 degrees of edge-on; normals more than 30 degrees apart, as at a crease
+/// or where one part passes through another. Also those at which the two pictures see another part:
+/// normals as far apart, or distances by 50 pixel widths, which a coarse mesh alone does not reach.
+/// Pictures of equal size, as render_reference and render_analytic give them.
 std::vector<bool> silhouettes(const ExactPicture& a, const ExactPicture& b, const Camera& camera);
 
 /// Pictures of equal size. `silhouette` has an element a pixel; empty: there is none. A pixel in

@@ -73,6 +73,8 @@ TEST(PictureError, SilhouettesAreWhereDistancesLeapAndNormalsTurn) {
   for (std::size_t i = 0; i < 64; ++i) EXPECT_EQ(edge[i], i % 8 == 3 || i % 8 == 4) << i;
   // Where two pictures see surfaces far apart, too.
   ExactPicture b = plain(8, 8, Rgb<double>(0.5));
+  EXPECT_FALSE(silhouettes(b, a, camera)[7]);
+  for (double& d : a.distance) d = d > 5 ? 70 : 5;
   EXPECT_TRUE(silhouettes(b, a, camera)[7]);
   EXPECT_FALSE(silhouettes(b, a, camera)[0]);
   b.normal[0] = {0, 0.6, 0.8};
