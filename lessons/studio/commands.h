@@ -16,6 +16,7 @@ Command add_render_command(CLI::App& program);
 Command add_explain_command(CLI::App& program);
 Command add_frames_command(CLI::App& program);
 Command add_reflect_command(CLI::App& program);
+Command add_tradeoff_command(CLI::App& program);
 Command add_sheet_command(CLI::App& program);
 Command add_models_command(CLI::App& program);
 Command add_shapes_command(CLI::App& program);

@@ -133,10 +133,32 @@ void Svg::curve(const std::vector<PlotPoint>& points, const Stroke& stroke) {
            stroked(stroke) + "/>\n";
 }
 
+void Svg::marker(PlotPoint at, Marker shape, double radius, const std::string& fill,
+                 const Stroke& stroke) {
+  if (shape == Marker::circle) {
+    body_ += "<circle" + attribute("cx", at.x) + attribute("cy", at.y) + attribute("r", radius) +
+             attribute("fill", fill) + stroked(stroke) + "/>\n";
+    return;
+  }
+  const int corners = shape == Marker::triangle ? 3 : 4;
+  const double reach = radius * (corners == 3 ? 1.45 : 1.25);
+  std::string points;
+  for (int k = 0; k < corners; ++k) {
+    const double first_deg = shape == Marker::square ? 45 : 90;
+    const PlotPoint p = on_circle(at, reach, first_deg + 360.0 * k / corners);
+    points += (k ? " " : "") + number(p.x) + "," + number(p.y);
+  }
+  body_ +=
+      "<polygon" + attribute("points", points) + attribute("fill", fill) + stroked(stroke) + "/>\n";
+}
+
 void Svg::text(PlotPoint at, const std::string& text, const Lettering& lettering) {
   body_ += "<text" + attribute("x", at.x) + attribute("y", at.y) +
            attribute("font-size", lettering.size) + attribute("text-anchor", lettering.anchor) +
            attribute("fill", lettering.colour);
+  if (lettering.halo)
+    body_ += attribute("stroke", "white") + attribute("stroke-width", 3) +
+             attribute("paint-order", "stroke");
   if (lettering.bold) body_ += attribute("font-weight", "bold");
   if (lettering.turned_deg != 0)
     body_ += attribute("transform", "rotate(" + number(lettering.turned_deg) + " " + number(at.x) +
@@ -154,5 +176,12 @@ void Svg::begin_clip(PlotPoint low, PlotPoint high) {
 }
 
 void Svg::end_clip() { body_ += "</g>\n"; }
+
+void Svg::begin_link(const std::string& target, const std::string& title) {
+  body_ +=
+      "<a" + attribute("href", "#" + escaped(target)) + "><title>" + escaped(title) + "</title>\n";
+}
+
+void Svg::end_link() { body_ += "</a>\n"; }
 
 }  // namespace scanlit::studio
