@@ -86,7 +86,9 @@ TEST(Pages, LinksLeadSomewhere) {
   for (const std::string& name : all_lessons()) pages.push_back(lessons_folder() / (name + ".md"));
   const std::regex link(R"(\]\(([^)#]+)[^)]*\))");
   for (const fs::path& page : pages) {
-    const std::string text = studio::read_text(page);
+    // Not in code, where [&](int i) is none.
+    const std::string text =
+        std::regex_replace(studio::read_text(page), std::regex("```[^`]*```"), "");
     for (std::sregex_token_iterator at(text.begin(), text.end(), link, 1), end; at != end; ++at)
       EXPECT_TRUE(at->str().starts_with("http") || fs::exists(page.parent_path() / at->str()))
           << page << " links to " << *at;
