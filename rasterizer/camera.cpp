@@ -61,6 +61,19 @@ glm::dvec3 towards_viewer(const Camera& camera) {
   return glm::normalize(camera.eye - camera.target);
 }
 
+Viewer viewer_of(const Camera& camera, int width, int height) {
+  const glm::dmat4 view = view_from_world(camera);
+  const auto axis = [&](int i) { return glm::dvec3(glm::row(view, i)); };
+  // Half of a pixel, at distance 1.
+  const double half = std::tan(glm::radians(camera.fov_deg) / 2) / height;
+  return {.far = camera.viewer_at_infinity || camera.projection == Projection::orthographic,
+          .direction = axis(2),
+          .eye = camera.eye,
+          .first = axis(2) + axis(0) * (half * (width - 1)) - axis(1) * (half * (height - 1)),
+          .right = axis(0) * (-2 * half),
+          .below = axis(1) * (2 * half)};
+}
+
 glm::dmat4 clip_from_world(const Camera& camera, double aspect) {
   const double n = camera.near, f = camera.far;
   glm::dmat4 clip_from_view(0.0);

@@ -37,6 +37,17 @@ glm::dmat4 clip_from_world(const Camera& camera, double aspect);
 /// Unit vector from the scene towards a viewer at infinity.
 glm::dvec3 towards_viewer(const Camera& camera);
 
+/// The camera as a shaded point sees it: where V comes from. World space.
+struct Viewer {
+  bool far;             // infinitely far: V is `direction` everywhere
+  glm::vec3 direction;  // unit, from the scene; also in place of a V that has none
+  glm::vec3 eye;
+  // From what is seen at a pixel's centre, in perspective: first + column right + row below. Not
+  // unit. So a fragment's V needs no position.
+  glm::vec3 first, right, below;
+};
+Viewer viewer_of(const Camera& camera, int width, int height);
+
 struct Sphere {
   glm::dvec3 centre{0};
   double radius = 0;

@@ -42,8 +42,9 @@ void count_depth_tests(TriangleId id, const VisibilityTile& visibility,
 }
 
 void add_evaluations(const FragmentSpan& span, const float* evaluations, Framebuffer& framebuffer) {
+  const auto width = std::size_t(framebuffer.width);
   for (int i = 0; i < span.size; ++i)
-    framebuffer.cost[channels * span.pixel[i] + evaluated] += evaluations[i];
+    framebuffer.cost[channels * index_of_pixel(span.pixel[i], width) + evaluated] += evaluations[i];
 }
 
 }  // namespace scanlit

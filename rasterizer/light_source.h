@@ -36,7 +36,6 @@ struct LightSource {
 struct Illumination {
   std::vector<LightSource> lights{};
   Rgb<float> ambient{};        // the ambient radiance but for Material::ambient_share
-  bool viewer_far = false;     // infinitely far
   bool near_lights = false;    // some light is not far
   bool constant = false;       // nothing but `ambient`
   bool needs_position = true;  // object space or world space

@@ -22,20 +22,43 @@ struct Places {
   float to_viewer[3][padded];
 };
 
-/// Whether positions come to world space.
-bool places_positions(const Frame& frame, const Draw& draw) {
-  return draw.illumination.near_lights || !frame.settings.skips.unused_attributes;
-}
+/// V at the pixels of a span.
+class PixelDirections {
+ public:
+  explicit PixelDirections(const Viewer& viewer)
+      : first_(broadcast(viewer.first)),
+        right_(broadcast(viewer.right)),
+        below_(broadcast(viewer.below)) {}
+
+  /// Unit. At packed pixels.
+  Vec3<Batch> operator()(const std::uint32_t* pixel) const {
+    const hn::RebindToUnsigned<Batch::Tag> unsigneds;
+    const auto packed = hn::LoadU(unsigneds, pixel);
+    const Batch x = hn::ConvertTo(Batch::tag, hn::And(packed, hn::Set(unsigneds, 0xffff)));
+    const Batch y = hn::ConvertTo(Batch::tag, hn::ShiftRight<16>(packed));
+    const auto along = [&](Batch first, Batch right, Batch below) {
+      return mul_add(y, below, mul_add(x, right, first));
+    };
+    const Vec3<Batch> towards{along(first_.x, right_.x, below_.x),
+                              along(first_.y, right_.y, below_.y),
+                              along(first_.z, right_.z, below_.z)};
+    return towards * inverse_sqrt(dot(towards, towards));
+  }
+
+ private:
+  Vec3<Batch> first_, right_, below_;
+};
 
 /// Object space to world space, and the directions that do not depend on a light. A normal of no
 /// length is taken to face the viewer.
 void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Places& places) {
-  const Illumination& illumination = draw.illumination;
-  const bool far_viewer = illumination.viewer_far;
-  const bool each = !far_viewer || !frame.settings.skips.far_directions;
-  const bool positions = places_positions(frame, draw);
-  const Vec3<Batch> eye = broadcast(frame.camera.eye);
-  const Vec3<Batch> far_direction = broadcast(towards_viewer(frame.camera));
+  const Viewer viewer = frame.viewer;
+  const bool each = !viewer.far || !frame.settings.skips.far_directions;
+  const bool keep_positions =
+      draw.illumination.near_lights || !frame.settings.skips.unused_attributes;
+  const bool positions = keep_positions || (!viewer.far && !surface.pixel);
+  const PixelDirections seen_from(viewer);
+  const Vec3<Batch> eye = broadcast(viewer.eye), far_direction = broadcast(viewer.direction);
   const glm::mat4& m = draw.object->world_from_object;
   const glm::mat3 linear(m);
   const glm::mat3 normal_from_object = draw.normal_from_object;
@@ -43,11 +66,12 @@ void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Places& p
 
   for (int i = 0; i < surface.size; i += Batch::lanes) {
     Vec3<Batch> to_viewer = far_direction;
-    if (positions || !far_viewer) {
+    if (positions) {
       const Vec3<Batch> position = transform(linear, load(surface.position, i)) + origin;
-      if (!far_viewer) to_viewer = normalize_or(eye - position, far_direction);
-      if (positions) store(position, places.position, i);
+      if (!viewer.far) to_viewer = normalize_or(eye - position, far_direction);
+      if (keep_positions) store(position, places.position, i);
     }
+    if (surface.pixel && !viewer.far) to_viewer = seen_from(surface.pixel + i);
     if (each) store(to_viewer, places.to_viewer, i);
     store(normalize_or(transform(normal_from_object, load(surface.normal, i)), to_viewer),
           surface.normal, i);
@@ -99,9 +123,9 @@ HalfWay<float> far_half_way(const Vec3<float>& to_light, const Vec3<float>& to_v
   return {{one(half.h.x), one(half.h.y), one(half.h.z)}, one(half.v_h), one(half.s2)};
 }
 
-Vec3<float> far_viewer(const Camera& camera) {
-  const auto v = towards_viewer(camera);
-  return {float(v.x), float(v.y), float(v.z)};
+Vec3<float> far_viewer(const Viewer& viewer) {
+  const auto& v = viewer.direction;
+  return {v.x, v.y, v.z};
 }
 
 /// The surface as the model sees it, once place() has brought normals and tangents to world space.
@@ -171,23 +195,21 @@ Rgb<float> ambient_radiance(const Scene& scene, const Material& material) {
 }
 
 Illumination illuminate(const Frame& frame, const Draw& draw) {
-  const Camera& camera = frame.camera;
   const Skips& skips = frame.settings.skips;
   const Material& material = draw.object->material;
   const Needs needs = material.model->needs();
   Illumination all{.ambient = ambient_radiance(frame.scene, material)};
-  all.viewer_far = camera.viewer_at_infinity || camera.projection == Projection::orthographic;
   for (const Light& light : frame.scene.lights) {
     LightSource source = light_source(light, material);
     if (skips.dark_lights && black(source)) continue;
-    if (source.far && all.viewer_far)
-      source.half = far_half_way(source.to_light, far_viewer(camera));
+    if (source.far && frame.viewer.far)
+      source.half = far_half_way(source.to_light, far_viewer(frame.viewer));
     all.near_lights |= !source.far;
     all.lights.push_back(source);
   }
   if (!skips.unused_attributes) return all;
   all.constant = all.lights.empty() && material.ambient_share == 0;
-  all.needs_position = all.near_lights || !all.viewer_far || needs_points(needs) || needs.frame;
+  all.needs_position = all.near_lights || needs_points(needs) || needs.frame;
   return all;
 }
 
@@ -211,14 +233,13 @@ void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& 
   Places places;
   place(frame, draw, surface, places);
   if (needs.frame) place_tangents(draw, surface);
-  const bool each = !illumination.viewer_far || !frame.settings.skips.far_directions;
-  const bool positions = places_positions(frame, draw);
+  const bool each = !frame.viewer.far || !frame.settings.skips.far_directions;
   ViewedSpan in{.size = std::size_t(surface.size),
-                .far_viewer = far_viewer(frame.camera),
+                .far_viewer = far_viewer(frame.viewer),
                 .skip_dark = frame.settings.skips.dark_lights};
   for (int c = 0; c < 3; ++c) {
     in.normal[c] = surface.normal[c];
-    in.position[c] = positions ? places.position[c] : nullptr;
+    in.position[c] = places_positions(frame, draw) ? places.position[c] : nullptr;
     in.to_viewer[c] = each ? places.to_viewer[c] : nullptr;
     in.tangent[c] = needs.frame ? surface.tangent[c] : nullptr;
   }

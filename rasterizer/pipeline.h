@@ -221,6 +221,7 @@ struct Frame {
   std::vector<Draw> draws;    // (2)
   std::vector<Chunk> chunks;  // (6)
   bool with_parts = false;    // colours are wanted in parts, too
+  Viewer viewer = viewer_of(camera, viewport.width, viewport.height);
 
   const Draw& draw_of(const DrawnTriangle& t) const { return draws[t.draw]; }
 };
@@ -285,17 +286,26 @@ struct Run {
   bool back_facing;           // its normal is flipped to the viewer's side
 };
 
+/// A pixel as one number; in a row they are consecutive. Sides are at most 2^14.
+inline std::uint32_t packed_pixel(int x, int y) {
+  return std::uint32_t(y) << 16 | std::uint32_t(x);
+}
+/// Its place in a picture.
+inline std::size_t index_of_pixel(std::uint32_t packed, std::size_t width) {
+  return std::size_t(packed >> 16) * width + (packed & 0xffff);
+}
+
 /// Visible fragments of one object, gathered across triangles, gaps and rows, so that vectors are
 /// full also where triangles are as small as pixels. An attribute a of a run's triangle is
 /// a0 + b1 (a1 - a0) + b2 (a2 - a0).
 struct FragmentSpan {
-  static constexpr int capacity = 256;
+  static constexpr int capacity = 512;
   static constexpr int padded = capacity + int(max_lanes);
 
   const Draw* draw = nullptr;
   int size = 0, run_count = 0;
   Run runs[capacity];
-  std::uint32_t pixel[padded];   // y * width + x
+  std::uint32_t pixel[padded];   // packed_pixel(); row by row, from left to right
   float weight[padded];          // share of the pixel's samples, 0..1
   float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle
   // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.

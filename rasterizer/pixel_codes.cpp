@@ -1,6 +1,5 @@
 #include "rasterizer/pixel_codes.h"
 
-
 #include "rasterizer/image/image_encoding.h"
 
 namespace scanlit {
@@ -22,33 +21,29 @@ Batch srgb_from_linear(const Batch& x) {
 
 }  // namespace
 
+// limit_: half a code less 255 times the error above, or what rounding the product (2^-17) and the
+// border to float adds.
 PixelEncoder::PixelEncoder(ColourFormat format)
     : colour_(encoder(format == ColourFormat::srgb_8bit)),
       alpha_(encoder(false)),
-      srgb_(format == ColourFormat::srgb_8bit) {}
+      srgb_(format == ColourFormat::srgb_8bit),
+      limit_(0.5f - (srgb_ ? 2.5e-4f : 6e-5f)) {}
 
-hn::Vec<PixelEncoder::Tag> PixelEncoder::codes(const Batch& linear) const {
-  const hn::RebindToSigned<Batch::Tag> ints;
-  const Batch clamped = min(max(linear, Batch(0)), Batch(1));  // NaN becomes 0
-  const Batch encoded = srgb_ ? srgb_from_linear(clamped) : clamped;
-  const Batch shifted = mul_add(encoded, 255.0f, 0.5f);
-  const auto whole = hn::ConvertTo(ints, shifted.raw);
-  // How near a value may be to the border of two codes before rounding decides between them: 255
-  // times the error above, and what rounding `shifted` (2^-16) and the border to float adds.
-  const Batch doubtful(srgb_ ? 2.5e-4f : 6e-5f);
-  const auto near_border = abs(shifted - Batch(hn::Round(shifted.raw))) < doubtful;
-  if (none(near_border)) return hn::BitCast(Tag(), whole);
-  float values[Batch::lanes];
-  std::uint32_t exact[Batch::lanes];
-  clamped.store(values);
-  for (int i = 0; i < Batch::lanes; ++i) exact[i] = colour_(values[i]);
-  return hn::LoadU(Tag(), exact);
+Rgb<Batch> PixelEncoder::srgb_codes(const Rgb<Batch>& linear) {
+  return Rgb<Batch>{srgb_from_linear(linear.r), srgb_from_linear(linear.g),
+                    srgb_from_linear(linear.b)} *
+         Batch(255);
 }
 
-hn::Vec<PixelEncoder::Tag> PixelEncoder::opaque(const Batch& r, const Batch& g,
-                                                const Batch& b) const {
-  const auto high = hn::Or(hn::ShiftLeft<16>(codes(b)), hn::Set(Tag(), 0xff000000u));
-  return hn::Or(hn::Or(codes(r), hn::ShiftLeft<8>(codes(g))), high);
+hn::Vec<PixelEncoder::Tag> PixelEncoder::exact(const Rgb<Batch>& linear) const {
+  const auto codes = [&](const Batch& channel) {
+    float values[Batch::lanes];
+    std::uint32_t result[Batch::lanes];
+    channel.store(values);
+    for (int i = 0; i < Batch::lanes; ++i) result[i] = colour_(values[i]);
+    return hn::LoadU(Tag(), result);
+  };
+  return packed(codes(linear.r), codes(linear.g), codes(linear.b));
 }
 
 void PixelEncoder::row(std::span<const float> rgba, std::uint8_t* out) const {

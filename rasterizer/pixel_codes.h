@@ -5,7 +5,8 @@
 #include <span>
 
 #include "rasterizer/batch.h"
-#include "rasterizer/framebuffer.h"
+#include "rasterizer/pipeline.h"
+#include "rasterizer/vec.h"
 
 namespace scanlit {
 
@@ -13,10 +14,16 @@ class EightBitEncoder;
 
 /// Where the colours of a tile's fragments go.
 struct ColourTarget {
-  float* linear = nullptr;        // RGBA; a pixel's fragments add up
-  std::uint8_t* codes = nullptr;  // else RGBA8; each pixel is written once
-  std::size_t first_pixel = 0;    // the pixel that is first there, as FragmentSpan::pixel counts
+  float* linear = nullptr;                           // RGBA; a pixel's fragments add up
+  std::uint8_t* codes = nullptr;                     // else RGBA8; each pixel is written once
+  std::size_t width = 0;                             // of the picture
+  std::size_t first_pixel = 0;                       // the pixel that is first there, y * width + x
   ColourFormat format = ColourFormat::linear_float;  // of codes
+
+  /// Where a pixel of a FragmentSpan begins in `linear` or `codes`.
+  std::size_t element(std::uint32_t packed_pixel) const {
+    return 4 * (index_of_pixel(packed_pixel, width) - first_pixel);
+  }
 };
 
 /// The same codes as EightBitEncoder's, to the last float. NaN becomes 0.
@@ -27,16 +34,42 @@ class PixelEncoder {
 
   using Tag = hn::RebindToUnsigned<Batch::Tag>;
   /// R in the lowest 8 bits, then G, B, and alpha 255.
-  hn::Vec<Tag> opaque(const Batch& r, const Batch& g, const Batch& b) const;
+  hn::Vec<Tag> opaque(const Batch& r, const Batch& g, const Batch& b) const {
+    const Rgb<Batch> linear{clamped(r), clamped(g), clamped(b)};
+    const Rgb<Batch> scaled = srgb_ ? srgb_codes(linear) : linear * Batch(255);
+    const Rounded red(scaled.r), green(scaled.g), blue(scaled.b);
+    if (!none(max(max(red.off, green.off), blue.off) > limit_)) return exact(linear);
+    return packed(red.code, green.code, blue.code);
+  }
   /// RGBA pixels to as many bytes; alpha is linear.
   void row(std::span<const float> rgba, std::uint8_t* out) const;
 
  private:
-  hn::Vec<Tag> codes(const Batch& linear) const;
+  /// NaN becomes 0.
+  static Batch clamped(const Batch& linear) { return min(max(linear, Batch(0)), Batch(1)); }
+
+  /// 0..255 to the nearest whole number, and how far off that is: at most 1/2.
+  struct Rounded {
+    hn::Vec<Tag> code;
+    Batch off;
+
+    explicit Rounded(const Batch& x) {
+      const auto nearest = hn::Round(x.raw);
+      code = hn::BitCast(Tag(), hn::ConvertTo(hn::RebindToSigned<Batch::Tag>(), nearest));
+      off = abs(x - Batch(nearest));
+    }
+  };
+  static hn::Vec<Tag> packed(hn::Vec<Tag> r, hn::Vec<Tag> g, hn::Vec<Tag> b) {
+    const auto high = hn::Or(hn::ShiftLeft<16>(b), hn::Set(Tag(), 0xff000000u));
+    return hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)), high);
+  }
+  static Rgb<Batch> srgb_codes(const Rgb<Batch>& linear);  // 0..255, not rounded
+  hn::Vec<Tag> exact(const Rgb<Batch>& linear) const;
 
   const EightBitEncoder& colour_;
   const EightBitEncoder& alpha_;
   bool srgb_;
+  Batch limit_;  // so far off, rounding errors may decide between two codes
 };
 
 }  // namespace scanlit

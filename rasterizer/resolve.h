@@ -101,10 +101,6 @@ class Resolver {
  private:
   static constexpr TriangleId mixed = no_triangle - 1;
 
-  std::uint32_t pixel(int x, int y) const {
-    return std::uint32_t(y) * std::uint32_t(frame_.viewport.width) + std::uint32_t(x);
-  }
-
   /// Indexed by the pixel's column in the picture.
   const TriangleId* sample_row(int sample, int y) const {
     return visibility_.triangle.data() + visibility_.row(sample, y) - visibility_.rect.x_begin;
@@ -161,7 +157,7 @@ class Resolver {
       }
       covered_pixels_ += x - begin;
       append(VisibleTriangle(frame_, *visibility_.triangles[id]), begin * subpixel + half_pixel,
-             y * subpixel + half_pixel, x - begin, pixel(begin, y), 1.0f);
+             y * subpixel + half_pixel, x - begin, packed_pixel(begin, y), 1.0f);
     }
   }
 
@@ -195,7 +191,7 @@ class Resolver {
       const VisibleTriangle triangle(frame_, *visibility_.triangles[id]);
       const bool centred = triangle.holds(centre_x, centre_y);
       append(triangle, centre_x + (centred ? 0 : sum_x / count),
-             centre_y + (centred ? 0 : sum_y / count), 1, pixel(x, y),
+             centre_y + (centred ? 0 : sum_y / count), 1, packed_pixel(x, y),
              float(count) / float(visibility_.samples));
     }
   }

@@ -30,22 +30,21 @@ void store_site(const LitSpan& lit, int i, bool clamped, LitSites& sites, std::s
   }
 }
 
-/// Whether a whole vector of the span's fragments lies side by side in the picture.
+/// Whether a whole vector of the span's fragments, each its pixel's only one, lies side by side in
+/// the picture.
 bool consecutive(const FragmentSpan& span, int first) {
-  const PixelEncoder::Tag tag;
-  const auto pixels = hn::LoadU(tag, span.pixel + first);
-  const auto expected = hn::Iota(tag, span.pixel[first]);
-  return first + Batch::lanes <= span.size && hn::AllTrue(tag, hn::Eq(pixels, expected));
+  const int last = first + Batch::lanes - 1;
+  return last < span.size && span.pixel[last] - span.pixel[first] == unsigned(Batch::lanes - 1);
 }
 
 /// A fragment's share of its pixel; one of weight 1 replaces what was there.
 void add(float weight, float value, float& sum) { sum = weight < 1 ? sum + weight * value : value; }
 
 /// Into a plane of three channels.
-void add_to(std::vector<float>& plane, const FragmentSpan& span,
+void add_to(std::vector<float>& plane, int width, const FragmentSpan& span,
             const float (&values)[3][SurfaceSpan::padded]) {
   for (int i = 0; i < span.size; ++i) {
-    float* const pixel = &plane[3 * std::size_t(span.pixel[i])];
+    float* const pixel = &plane[3 * index_of_pixel(span.pixel[i], std::size_t(width))];
     for (int c = 0; c < 3; ++c) add(span.weight[i], values[c][i], pixel[c]);
   }
 }
@@ -83,9 +82,9 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const Colou
   stats.fragments += span.size;
   write(span, target);
   if (parts) {
-    add_to(framebuffer.ambient, span, lit_.ambient);
-    add_to(framebuffer.diffuse, span, lit_.diffuse);
-    add_to(framebuffer.glossy, span, lit_.glossy);
+    add_to(framebuffer.ambient, framebuffer.width, span, lit_.ambient);
+    add_to(framebuffer.diffuse, framebuffer.width, span, lit_.diffuse);
+    add_to(framebuffer.glossy, framebuffer.width, span, lit_.glossy);
   }
   if (!framebuffer.normal.empty()) write_normals(frame, span, framebuffer);
   if (!framebuffer.cost.empty() && span.draw->object->shading == Shading::phong)
@@ -138,24 +137,24 @@ void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) 
 
 void SpanShader::write(const FragmentSpan& span, const ColourTarget& target) const {
   if (target.codes) return write_codes(span, target);
-  float* const plane = target.linear - 4 * target.first_pixel;
   const Batch one(1);
   for (int i = 0; i < span.size; i += Batch::lanes) {
     const auto partial = Batch::load(span.weight + i) < one;
-    if (!consecutive(span, i) || !none(partial)) {
-      write_linear(span, i, std::min(Batch::lanes, span.size - i), plane);
+    if (!none(partial) || !consecutive(span, i)) {
+      write_linear(span, i, std::min(Batch::lanes, span.size - i), target);
       continue;
     }
     const auto channel = [&](int c) { return Batch::load(lit_.colour[c] + i).raw; };
     hn::StoreInterleaved4(channel(0), channel(1), channel(2), one.raw, Batch::tag,
-                          plane + 4 * std::size_t(span.pixel[i]));
+                          target.linear + target.element(span.pixel[i]));
   }
 }
 
-void SpanShader::write_linear(const FragmentSpan& span, int first, int count, float* rgba) const {
+void SpanShader::write_linear(const FragmentSpan& span, int first, int count,
+                              const ColourTarget& target) const {
   for (int i = first; i < first + count; ++i) {
     const float weight = span.weight[i];
-    float* pixel = rgba + 4 * std::size_t(span.pixel[i]);
+    float* const pixel = target.linear + target.element(span.pixel[i]);
     for (int c = 0; c < 3; ++c) add(weight, lit_.colour[c][i], pixel[c]);
     add(weight, 1, pixel[3]);
   }
@@ -168,9 +167,7 @@ void SpanShader::write_codes(const FragmentSpan& span, const ColourTarget& targe
     const auto channel = [&](int c) { return Batch::load(lit_.colour[c] + i); };
     std::uint32_t pixels[Batch::lanes];
     hn::StoreU(encoder.opaque(channel(0), channel(1), channel(2)), tag, pixels);
-    const auto at = [&](int k) {
-      return target.codes + 4 * (std::size_t(span.pixel[k]) - target.first_pixel);
-    };
+    const auto at = [&](int k) { return target.codes + target.element(span.pixel[k]); };
     if (consecutive(span, i)) {
       std::memcpy(at(i), pixels, sizeof pixels);
       continue;
@@ -193,7 +190,7 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
     }
     place_normals(frame, *span.draw, surface_);
   }
-  add_to(framebuffer.normal, span, surface_.normal);
+  add_to(framebuffer.normal, framebuffer.width, span, surface_.normal);
 }
 
 }  // namespace scanlit

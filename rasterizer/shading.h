@@ -24,7 +24,8 @@ class SpanShader {
   void gouraud(const Frame& frame, const FragmentSpan& span, bool parts);
   void phong(const Frame& frame, const FragmentSpan& span, bool parts);
   void write(const FragmentSpan& span, const ColourTarget& target) const;
-  void write_linear(const FragmentSpan& span, int first, int count, float* rgba) const;
+  void write_linear(const FragmentSpan& span, int first, int count,
+                    const ColourTarget& target) const;
   void write_codes(const FragmentSpan& span, const ColourTarget& target) const;
   void write_normals(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer);
 

@@ -120,6 +120,7 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
     if (span.with_derivatives && !mesh.texcoords.empty()) interpolate_growth(span, run, v, surface);
   }
   surface.size = span.size;
+  surface.pixel = span.pixel;
   surface.with_derivatives = span.with_derivatives;
   // The spans of other objects have left theirs there.
   if (points && mesh.texcoords.empty())

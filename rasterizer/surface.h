@@ -18,6 +18,8 @@ struct SurfaceSpan {
   static constexpr int padded = FragmentSpan::padded;
 
   int size = 0;
+  const std::uint32_t* pixel =
+      nullptr;                     // where they are seen, if they are fragments (FragmentSpan)
   float position[3][padded] = {};  // object space
   float normal[3][padded] = {};    // in: object space, any length, on the viewer's side;
                                    // out: world space, unit

@@ -45,11 +45,13 @@ void for_each_row(const Rect& r, const Framebuffer& framebuffer, std::vector<Ele
 /// Where the tile's fragments go: codes at once where each pixel has one fragment; else sums, which
 /// are the framebuffer's own or become codes at the end.
 ColourTarget colour_target(const Frame& frame, const Rect& r, Worker& worker, Framebuffer& f) {
-  if (f.format == ColourFormat::linear_float) return {.linear = f.colour.data()};
-  if (frame.settings.samples == 1) return {.codes = f.rgba8.data(), .format = f.format};
   const auto width = std::size_t(f.width);
+  if (f.format == ColourFormat::linear_float) return {.linear = f.colour.data(), .width = width};
+  if (frame.settings.samples == 1)
+    return {.codes = f.rgba8.data(), .width = width, .format = f.format};
   worker.colours.resize(4 * width * std::size_t(r.y_end - r.y_begin));
   return {.linear = worker.colours.data(),
+          .width = width,
           .first_pixel = width * std::size_t(r.y_begin),
           .format = f.format};
 }
