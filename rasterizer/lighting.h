@@ -30,8 +30,4 @@ Rgb<float> ambient_radiance(const Scene& scene, const Material& material);
 void light(const Frame& frame, const Draw& draw, SurfaceSpan& surface, LitSpan& lit,
            FrameStats& stats);
 
-/// Brings `normal` to world space as light() does, where a picture of the normals is all that is
-/// wanted.
-void place_normals(const Frame& frame, const Draw& draw, SurfaceSpan& surface);
-
 }  // namespace scanlit

@@ -1,10 +1,12 @@
 // (8) Resolve: visible fragments, gathered into spans that are long enough for vector code.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <bit>
 #include <memory>
 
-#include "rasterizer/batch.h"
-#include "rasterizer/pipeline.h"
+#include "rasterizer/barycentric.h"
 
 namespace scanlit {
 
@@ -30,45 +32,6 @@ class SpanCollector {
   std::vector<std::unique_ptr<FragmentSpan>> unused_;
 };
 
-/// What the fragments of one visible triangle have in common.
-class VisibleTriangle {
- public:
-  VisibleTriangle(const Frame& frame, const DrawnTriangle& drawn);
-
-  const Draw& draw() const { return *draw_; }
-
-  /// Whether a point on the screen, in 1/256 pixel, lies in the triangle or on its border.
-  bool holds(double x, double y) const;
-
-  /// Appends `count` fragments to a span that has room for them: pixels from `pixel` on, at screen
-  /// position (x, y) in 1/256 pixel and every 256 units to the right of it.
-  void append(double x, double y, int count, std::uint32_t pixel, float weight,
-              Interpolation interpolation, FragmentSpan& span) const;
-
- private:
-  /// Part of append(), for models that ask for texcoord derivatives: of a vector of fragments from
-  /// element `at` on, whose weights are `linear` on the screen.
-  void append_derivatives(const Batch (&linear)[3], int at, bool perspective,
-                          FragmentSpan& span) const;
-
-  /// The edge functions whose share of twice_area is the screen-linear weight of corner 1 and of
-  /// corner 2. Exact where x and y are whole numbers: doubles hold them (see Viewport).
-  double edge_1(double x, double y) const {
-    const auto& [a, b, c] = drawn_.vertices;
-    return double(a.y - c.y) * (x - c.x) - double(a.x - c.x) * (y - c.y);
-  }
-  double edge_2(double x, double y) const {
-    const auto& [a, b, c] = drawn_.vertices;
-    return double(b.y - a.y) * (x - a.x) - double(b.x - a.x) * (y - a.y);
-  }
-
-  const Draw* draw_;
-  const ClippedTriangle* piece_;  // null where the triangle is whole
-  const DrawnTriangle& drawn_;
-  double twice_area_;
-  bool back_facing_;
-};
-
 /// Gathers what is visible in a tile; calls shade(span) for every span that is full, and at the end
 /// for what is left.
 template <class Shade>
@@ -76,17 +39,17 @@ class Resolver {
  public:
   Resolver(const Frame& frame, const VisibilityTile& visibility, SpanCollector& collector,
            const Shade& shade)
-      : frame_(frame), visibility_(visibility), collector_(collector), shade_(shade) {}
+      : frame_(frame),
+        visibility_(visibility),
+        collector_(collector),
+        shade_(shade),
+        perspective_(frame.settings.interpolation == Interpolation::perspective) {}
 
   /// Returns the number of pixels that are covered, in whole or in part.
   std::int64_t run() {
     const Rect& touched = visibility_.touched;
-    for (int y = touched.y_begin; y < touched.y_end; ++y) {
-      if (visibility_.samples == 1)
-        resolve_row(y, touched, OneSample{sample_row(0, y)});
-      else
-        resolve_row(y, touched, Samples{*this, y});
-    }
+    for (int y = touched.y_begin; y < touched.y_end; ++y)
+      resolve_row(y, touched, visibility_.samples == 1 ? sample_row(0, y) : whole_pixels(y));
     collector_.flush(shade_);
     return covered_pixels_;
   }
@@ -94,80 +57,134 @@ class Resolver {
   /// Only what sees triangle `only`, in these pixels, with one sample each.
   void run(TriangleId only, const Rect& pixels) {
     for (int y = pixels.y_begin; y < pixels.y_end; ++y)
-      resolve_row(y, pixels, OnlyOne{sample_row(0, y), only});
+      resolve_row(y, pixels, pixels_of(only, y, pixels));
     collector_.flush(shade_);
   }
 
  private:
   static constexpr TriangleId mixed = no_triangle - 1;
 
-  /// Indexed by the pixel's column in the picture.
+  // A row of triangles is indexed by the pixel's column in the picture; a vector may be read from
+  // any of its pixels on.
+
   const TriangleId* sample_row(int sample, int y) const {
     return visibility_.triangle.data() + visibility_.row(sample, y) - visibility_.rect.x_begin;
   }
 
-  /// What the pixels of a row see: at(x), and up to where, at most `end`, they see `id` like x.
-  struct OneSample {
-    const TriangleId* row;
-
-    TriangleId at(int x) const { return row[x]; }
-    int run_end(int x, int end, TriangleId id) const {
-      const hn::RebindToUnsigned<Batch::Tag> tag;
-      for (; x < end; x += Batch::lanes) {
-        const auto same = hn::Eq(hn::LoadU(tag, row + x), hn::Set(tag, id));
-        const auto other = hn::FindFirstTrue(tag, hn::Not(same));
-        if (other >= 0) return std::min(x + int(other), end);
-      }
-      return end;
+  /// The one triangle that all of a pixel's samples see, or no_triangle, or `mixed`. The centre is
+  /// then covered too: it lies in the samples' convex hull.
+  const TriangleId* whole_pixels(int y) {
+    const Rect& touched = visibility_.touched;
+    TriangleId* const row = own_row();
+    std::copy(sample_row(0, y) + touched.x_begin, sample_row(0, y) + touched.x_end,
+              row + touched.x_begin);
+    for (int s = 1; s < visibility_.samples; ++s) {
+      const TriangleId* const other = sample_row(s, y);
+      for (int x = touched.x_begin; x < touched.x_end; ++x)
+        row[x] = row[x] == other[x] ? row[x] : mixed;
     }
-  };
-  struct Samples {
-    const Resolver& resolver;
-    int y;
+    return row;
+  }
 
-    TriangleId at(int x) const { return resolver.uniform_triangle(x, y); }
-    int run_end(int x, int end, TriangleId id) const {
-      while (x < end && at(x) == id) ++x;
-      return x;
-    }
-  };
-  struct OnlyOne {
-    const TriangleId* row;
-    TriangleId only;
+  const TriangleId* pixels_of(TriangleId only, int y, const Rect& pixels) {
+    const TriangleId* const all = sample_row(0, y);
+    TriangleId* const row = own_row();
+    for (int x = pixels.x_begin; x < pixels.x_end; ++x)
+      row[x] = all[x] == only ? only : no_triangle;
+    return row;
+  }
 
-    TriangleId at(int x) const { return row[x] == only ? only : no_triangle; }
-    int run_end(int x, int end, TriangleId id) const {
-      while (x < end && at(x) == id) ++x;
-      return x;
-    }
-  };
+  TriangleId* own_row() {
+    row_.resize(std::size_t(visibility_.stride));
+    return row_.data() - visibility_.rect.x_begin;
+  }
 
   /// Cuts a row into runs of one triangle.
-  template <class Row>
-  void resolve_row(int y, const Rect& pixels, const Row& row) {
-    const int end = pixels.x_end;
-    for (int x = pixels.x_begin; x < end;) {
-      const TriangleId id = row.at(x);
-      const int begin = x;
-      x = id == mixed ? x + 1 : row.run_end(x + 1, end, id);
-      if (id == no_triangle) continue;
-      if (id == mixed) {
-        split_pixel(begin, y);
-        continue;
+  void resolve_row(int y, const Rect& pixels, const TriangleId* row) {
+    const hn::RebindToUnsigned<Batch::Tag> ids;
+    int begin = pixels.x_begin;
+    for (int x = begin; x < pixels.x_end; x += Batch::lanes) {
+      const auto differs = hn::Ne(hn::LoadU(ids, row + x), hn::LoadU(ids, row + x + 1));
+      unsigned last = bits_of(Batch::Mask{hn::RebindMask(Batch::tag, differs)});
+      if (const int left = pixels.x_end - x; left <= Batch::lanes) {
+        const unsigned final = 1u << (left - 1);
+        last = (last & (final - 1)) | final;
       }
-      covered_pixels_ += x - begin;
-      append(VisibleTriangle(frame_, *visibility_.triangles[id]), begin * subpixel + half_pixel,
-             y * subpixel + half_pixel, x - begin, packed_pixel(begin, y), 1.0f);
+      for (; last != 0; last &= last - 1) {
+        const int end = x + std::countr_zero(last) + 1;
+        resolve_run(begin, end, y, row[begin]);
+        begin = end;
+      }
     }
   }
 
-  /// The one triangle that all of a pixel's samples see, no_triangle, or `mixed`. The centre is
-  /// then covered too: it lies in the samples' convex hull.
-  TriangleId uniform_triangle(int x, int y) const {
-    const TriangleId first = sample_row(0, y)[x];
-    for (int s = 1; s < visibility_.samples; ++s)
-      if (sample_row(s, y)[x] != first) return mixed;
-    return first;
+  void resolve_run(int begin, int end, int y, TriangleId id) {
+    if (id == no_triangle) return;
+    if (id == mixed) {
+      for (int x = begin; x < end; ++x) split_pixel(x, y);
+      return;
+    }
+    covered_pixels_ += end - begin;
+    const DrawnTriangle& drawn = *visibility_.triangles[id];
+    FragmentSpan& span = span_of(drawn);
+    while (begin < end) {
+      const int count = std::min(end - begin, FragmentSpan::capacity - span.size);
+      append(id, drawn, begin, y, count, span);
+      begin += count;
+    }
+  }
+
+  FragmentSpan& span_of(const DrawnTriangle& drawn) {
+    if (!span_ || span_->draw->index != drawn.draw)
+      span_ = &collector_.span_of(frame_.draw_of(drawn));
+    return *span_;
+  }
+
+  /// `count` pixels of a row, for which the span has room.
+  void append(TriangleId id, const DrawnTriangle& drawn, int x, int y, int count,
+              FragmentSpan& span) {
+    const std::uint32_t pixel = packed_pixel(x, y);
+    if (span.with_derivatives) {
+      append_exactly(drawn, x * subpixel + half_pixel, y * subpixel + half_pixel, pixel, count,
+                     1.0f, span);
+    } else if (SmallWeights::fits(drawn)) {
+      const SmallWeights weights(drawn, perspective_, x, y);
+      append(drawn, weights.clockwise(), weights, pixel, count, 1.0f, span);
+    } else if (const LargeTriangle& large = large_triangle(id, drawn); large.planes.precise()) {
+      append(drawn, large.clockwise, WeightPlanes::Row(large.planes, x, y), pixel, count, 1.0f,
+             span);
+    } else {
+      append_exactly(drawn, x * subpixel + half_pixel, y * subpixel + half_pixel, pixel, count,
+                     1.0f, span);
+    }
+  }
+
+  void append_exactly(const DrawnTriangle& drawn, double x, double y, std::uint32_t pixel,
+                      int count, float weight, FragmentSpan& span) {
+    const ExactWeights weights(frame_, drawn);
+    append(drawn, weights.clockwise(), ExactWeights::Row(weights, x, y, span.size, span), pixel,
+           count, weight, span);
+  }
+
+  /// weights.at(i): the barycentric coordinates of fragments i, i + 1, ...
+  template <class Weights>
+  void append(const DrawnTriangle& drawn, bool clockwise, const Weights& weights,
+              std::uint32_t pixel, int count, float weight, FragmentSpan& span) {
+    const hn::RebindToUnsigned<Batch::Tag> pixels;
+    const int first = span.size;
+    for (int i = 0; i < count; i += Batch::lanes) {
+      const auto [b1, b2] = weights.at(i);
+      b1.store(span.b1 + first + i);
+      b2.store(span.b2 + first + i);
+      Batch(weight).store(span.weight + first + i);
+      hn::StoreU(hn::Iota(pixels, pixel + std::uint32_t(i)), pixels, span.pixel + first + i);
+    }
+    span.runs[span.run_count++] = {&drawn, std::uint16_t(first), std::uint16_t(count),
+                                   clockwise != span.draw->mirrored};
+    span.size += count;
+    if (span.size < FragmentSpan::capacity) return;
+    shade_(span);
+    span.size = span.run_count = 0;
   }
 
   /// One fragment for each triangle seen in a pixel, at the pixel's centre where the triangle
@@ -188,32 +205,38 @@ class Resolver {
         if (sample_row(i, y)[x] != id) continue;
         ++count, sum_x += offsets[std::size_t(i)].x, sum_y += offsets[std::size_t(i)].y;
       }
-      const VisibleTriangle triangle(frame_, *visibility_.triangles[id]);
-      const bool centred = triangle.holds(centre_x, centre_y);
-      append(triangle, centre_x + (centred ? 0 : sum_x / count),
-             centre_y + (centred ? 0 : sum_y / count), 1, packed_pixel(x, y),
-             float(count) / float(visibility_.samples));
+      const DrawnTriangle& drawn = *visibility_.triangles[id];
+      const bool centred = ExactWeights(frame_, drawn).holds(centre_x, centre_y);
+      append_exactly(drawn, centre_x + (centred ? 0 : sum_x / count),
+                     centre_y + (centred ? 0 : sum_y / count), packed_pixel(x, y), 1,
+                     float(count) / float(visibility_.samples), span_of(drawn));
     }
   }
 
-  void append(const VisibleTriangle& triangle, double x, double y, int count, std::uint32_t pixel,
-              float weight) {
-    while (count > 0) {
-      FragmentSpan& span = collector_.span_of(triangle.draw());
-      const int part = std::min(count, FragmentSpan::capacity - span.size);
-      triangle.append(x, y, part, pixel, weight, frame_.settings.interpolation, span);
-      x += double(part) * subpixel, pixel += std::uint32_t(part), count -= part;
-      if (span.size == FragmentSpan::capacity) {
-        shade_(span);
-        span.size = span.run_count = 0;
-      }
+  /// Large triangles come back row after row.
+  struct LargeTriangle {
+    TriangleId id = no_triangle;
+    bool clockwise = false;
+    WeightPlanes planes;
+  };
+  const LargeTriangle& large_triangle(TriangleId id, const DrawnTriangle& drawn) {
+    LargeTriangle& kept = large_[id % large_.size()];
+    if (kept.id != id) {
+      const auto& v = drawn.vertices;
+      kept = {id, screen_triangle(v[0], v[1], v[2]).twice_area < 0,
+              WeightPlanes(drawn, perspective_)};
     }
+    return kept;
   }
 
   const Frame& frame_;
   const VisibilityTile& visibility_;
   SpanCollector& collector_;
   const Shade& shade_;
+  bool perspective_;
+  FragmentSpan* span_ = nullptr;  // the one that was filled last
+  std::vector<TriangleId> row_;
+  std::array<LargeTriangle, 64> large_;
   std::int64_t covered_pixels_ = 0;
 };
 

@@ -5,6 +5,7 @@
 
 #include "rasterizer/batch.h"
 #include "rasterizer/cost.h"
+#include "rasterizer/placement.h"
 #include "rasterizer/scalar_math.h"
 
 namespace scanlit {
@@ -188,7 +189,8 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
           face(*span.draw->mesh, run.drawn->triangle).normal * (run.back_facing ? -1.0f : 1.0f);
       for (int c = 0; c < 3; ++c) std::fill_n(surface_.normal[c] + run.first, run.size, normal[c]);
     }
-    place_normals(frame, *span.draw, surface_);
+    Places unused;
+    place(frame, *span.draw, surface_, unused);
   }
   add_to(framebuffer.normal, framebuffer.width, span, surface_.normal);
 }

@@ -49,9 +49,9 @@ void fill(float (&out)[components][SurfaceSpan::padded], float value) {
 
 constexpr int ahead = 8;  // runs: about as long as memory takes to answer
 
-void prefetch(const Mesh& mesh, std::uint32_t triangle) {
+void prefetch(const Mesh& mesh, std::uint32_t triangle, bool positions) {
   for (const std::size_t v : Corners(mesh, triangle).vertex) {
-    __builtin_prefetch(&mesh.positions[v]);
+    if (positions) __builtin_prefetch(&mesh.positions[v]);
     __builtin_prefetch(&mesh.normals[v]);
   }
 }
@@ -105,7 +105,7 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   for (int r = 0; r < span.run_count; ++r) {
     const Run& run = span.runs[r];
     // In a fine mesh each run's vertices are elsewhere in memory.
-    if (r + ahead < span.run_count) prefetch(mesh, span.runs[r + ahead].drawn->triangle);
+    if (r + ahead < span.run_count) prefetch(mesh, span.runs[r + ahead].drawn->triangle, positions);
     const Corners corners(mesh, run.drawn->triangle);
     const auto& v = corners.vertex;
     const auto attribute = [&](const auto& values, float sign, auto& out) {

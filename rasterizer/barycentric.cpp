@@ -1,0 +1,160 @@
+#include "rasterizer/barycentric.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "rasterizer/scalar_math.h"
+
+namespace scanlit {
+
+WeightPlanes::WeightPlanes(const DrawnTriangle& drawn, bool perspective) {
+  const auto& [a, b, c] = drawn.vertices;
+  const auto whole = screen_triangle(a, b, c);
+  const double scale = 1.0 / double(whole.twice_area);
+  x_ = a.x >> 8, y_ = a.y >> 8;
+  const std::int64_t x = x_ * subpixel + half_pixel, y = y_ * subpixel + half_pixel;
+  const double width = double(std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}));
+  const double height = double(std::max({a.y, b.y, c.y}) - std::min({a.y, b.y, c.y}));
+  precise_ = drawn.piece == DrawnTriangle::not_cut;
+
+  // The weight of the corner opposite to an edge, over w.
+  double plane[3][3];
+  for (int k = 0; k < 3; ++k) {
+    const ScreenVertex &from = drawn.vertices[(k + 1) % 3], &to = drawn.vertices[(k + 2) % 3];
+    const double right = double(to.y - from.y) * scale, below = double(from.x - to.x) * scale;
+    precise_ = precise_ && std::abs(right) * width + std::abs(below) * height <= 8;
+    const double inv_w = perspective ? double(drawn.vertices[k].inv_w) : 1;
+    plane[k][0] = double(edge_function(from, to, x, y)) * scale * inv_w;
+    plane[k][1] = right * subpixel * inv_w, plane[k][2] = below * subpixel * inv_w;
+  }
+  const auto [least, greatest] = std::minmax({a.inv_w, b.inv_w, c.inv_w});
+  precise_ = precise_ && (!perspective || greatest <= 2 * least);
+  const auto in_float = [](double first, double right, double below) {
+    return Plane{float(first), float(right), float(below)};
+  };
+  b1_ = in_float(plane[1][0], plane[1][1], plane[1][2]);
+  b2_ = in_float(plane[2][0], plane[2][1], plane[2][2]);
+  const auto sum = [&](int i) { return plane[0][i] + plane[1][i] + plane[2][i]; };
+  sum_ = in_float(sum(0), sum(1), sum(2));
+}
+
+ExactWeights::ExactWeights(const Frame& frame, const DrawnTriangle& drawn)
+    : drawn_(drawn),
+      piece_(drawn.piece == DrawnTriangle::not_cut
+                 ? nullptr
+                 : &frame.chunks[drawn.chunk].pieces[drawn.piece]),
+      twice_area_(double(
+          screen_triangle(drawn.vertices[0], drawn.vertices[1], drawn.vertices[2]).twice_area)) {
+  const auto& [a, b, c] = drawn.vertices;
+  perspective_ = frame.settings.interpolation == Interpolation::perspective &&
+                 (a.inv_w != b.inv_w || b.inv_w != c.inv_w);
+}
+
+bool ExactWeights::holds(double x, double y) const {
+  const double sign = twice_area_ > 0 ? 1 : -1;
+  const double e1 = sign * edge_1(x, y), e2 = sign * edge_2(x, y);
+  return e1 >= 0 && e2 >= 0 && e1 + e2 <= sign * twice_area_;
+}
+
+namespace {
+
+/// By how much the weights of a triangle's corners grow with one step on the screen. A weight is
+/// b_k = e_k / (e_0 + e_1 + e_2), e_k the edge function over w of the corner: linear on the screen.
+class Growth {
+ public:
+  Growth(const double (&step)[3], const double (&inv_w)[3]) {
+    double sum = 0;
+    for (int k = 0; k < 3; ++k) {
+      step_[k] = step[k] * inv_w[k];
+      sum += step[k] * inv_w[k];
+    }
+    sum_ = sum;
+  }
+
+  /// db_k = (de_k - b_k d(e_0 + e_1 + e_2)) / (e_0 + e_1 + e_2): no difference of two weights, of
+  /// which a pixel that is small against the triangle would leave nothing.
+  void at(const Batch (&b)[3], const Batch& inverse_sum, const ClippedTriangle* piece, int i,
+          FragmentSpan::Derivatives& out) const {
+    Batch d[3];
+    for (int k = 0; k < 3; ++k) d[k] = (step_[k] - b[k] * sum_) * inverse_sum;
+    const auto in_source = [&](int vertex) {
+      if (!piece) return d[vertex];
+      const auto& m = piece->barycentric;
+      return d[0] * Batch(m[0][vertex]) + d[1] * Batch(m[1][vertex]) + d[2] * Batch(m[2][vertex]);
+    };
+    in_source(1).store(out.b1 + i);
+    in_source(2).store(out.b2 + i);
+  }
+
+ private:
+  Batch step_[3], sum_;
+};
+
+/// From weights that are linear on the screen to those of perspective: attributes over w, and 1/w,
+/// are linear on the screen; their quotient is the attribute.
+void divide_by_w(const DrawnTriangle& triangle, Batch (&b)[3]) {
+  const auto& [p, q, r] = triangle.vertices;
+  b[0] = b[0] * p.inv_w, b[1] = b[1] * q.inv_w, b[2] = b[2] * r.inv_w;
+  const Batch w = Batch(1) / (b[0] + b[1] + b[2]);
+  b[0] = b[0] * w, b[1] = b[1] * w, b[2] = b[2] * w;
+}
+
+}  // namespace
+
+void ExactWeights::store_derivatives(const Batch (&linear)[3], int at, FragmentSpan& span) const {
+  const auto& [a, b, c] = drawn_.vertices;
+  const double inv_w[3] = {perspective_ ? double(a.inv_w) : 1, perspective_ ? double(b.inv_w) : 1,
+                           perspective_ ? double(c.inv_w) : 1};
+  const double pixel = subpixel / twice_area_;
+  const Growth right({(c.y - b.y) * pixel, (a.y - c.y) * pixel, (b.y - a.y) * pixel}, inv_w);
+  const Growth below({(b.x - c.x) * pixel, (c.x - a.x) * pixel, (a.x - b.x) * pixel}, inv_w);
+  Batch w[3];
+  for (int k = 0; k < 3; ++k) w[k] = linear[k] * Batch(inv_w[k]);
+  const Batch inverse_sum = Batch(1) / (w[0] + w[1] + w[2]);
+  for (Batch& weight : w) weight = weight * inverse_sum;
+  right.at(w, inverse_sum, piece_, at, span.dx);
+  below.at(w, inverse_sum, piece_, at, span.dy);
+}
+
+Batch ExactWeights::Steps::at(int i) const {
+  const hn::ScalableTag<double> doubles;
+  const hn::Rebind<float, decltype(doubles)> floats;
+  const auto half = [&](double first) {
+    const auto index = hn::Iota(doubles, first);
+    const auto edge = hn::Add(hn::Set(doubles, start), hn::Mul(index, hn::Set(doubles, step)));
+    return hn::DemoteTo(floats, hn::Mul(edge, hn::Set(doubles, scale)));
+  };
+  const int middle = i + int(hn::MaxLanes(doubles));
+  return hn::Combine(Batch::tag, half(double(middle)), half(double(i)));
+}
+
+ExactWeights::Row::Row(const ExactWeights& weights, double x, double y, int first,
+                       FragmentSpan& span)
+    : weights_(weights), first_(first), span_(span) {
+  const auto& [a, b, c] = weights.drawn_.vertices;
+  const double area = weights.twice_area_, scale = 1.0 / area;
+  // A centroid of samples is rounded, and may lie beyond an edge by that much; 1/w would magnify
+  // it.
+  const auto inside = [area](double edge) { return area > 0 ? max(edge, 0.0) : min(edge, 0.0); };
+  const double e1 = inside(weights.edge_1(x, y)), step_1 = double(a.y - c.y) * subpixel;
+  const double e2 = inside(weights.edge_2(x, y)), step_2 = double(b.y - a.y) * subpixel;
+  // Weight 0 from its own edge function too: as 1 - b1 - b2 in float it would lose its digits where
+  // it is small, and 1/w may weigh it by a million.
+  linear_[0] = {inside(area - e1 - e2), -step_1 - step_2, scale};
+  linear_[1] = {e1, step_1, scale};
+  linear_[2] = {e2, step_2, scale};
+}
+
+Barycentric ExactWeights::Row::at(int i) const {
+  Batch w[3] = {linear_[0].at(i), linear_[1].at(i), linear_[2].at(i)};
+  if (span_.with_derivatives) weights_.store_derivatives(w, first_ + i, span_);
+  if (weights_.perspective_) divide_by_w(weights_.drawn_, w);
+  if (!weights_.piece_) return {w[1], w[2]};
+  const auto& m = weights_.piece_->barycentric;
+  const auto in_source = [&](int vertex) {
+    return w[0] * Batch(m[0][vertex]) + w[1] * Batch(m[1][vertex]) + w[2] * Batch(m[2][vertex]);
+  };
+  return {in_source(1), in_source(2)};
+}
+
+}  // namespace scanlit
