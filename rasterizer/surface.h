@@ -51,16 +51,6 @@ void put_site(const Draw& draw, const LitSites::Site& site, int i, SurfaceSpan& 
 template <int channels>
 void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
                  float sign, float (&out)[channels][SurfaceSpan::padded]) {
-  if (run.size == 1) {  // where triangles are as small as pixels: the same operations
-    const float b1 = span.b1[run.first], b2 = span.b2[run.first];
-#pragma GCC unroll 3
-    for (int c = 0; c < channels; ++c) {
-      const float a0 = sign * corner[0][c];
-      const float d1 = sign * corner[1][c] - a0, d2 = sign * corner[2][c] - a0;
-      out[c][run.first] = mul_add_as_batch(b2, d2, mul_add_as_batch(b1, d1, a0));
-    }
-    return;
-  }
   // Unrolled, the arrays are registers.
   Batch base[channels], d1[channels], d2[channels];
 #pragma GCC unroll 3
