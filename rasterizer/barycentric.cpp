@@ -7,7 +7,7 @@
 
 namespace scanlit {
 
-WeightPlanes::WeightPlanes(const DrawnTriangle& drawn, bool perspective) {
+WeightPlanes::WeightPlanes(const DrawnTriangle& drawn) {
   const auto& [a, b, c] = drawn.vertices;
   const auto whole = screen_triangle(a, b, c);
   const double scale = 1.0 / double(whole.twice_area);
@@ -22,13 +22,13 @@ WeightPlanes::WeightPlanes(const DrawnTriangle& drawn, bool perspective) {
   for (int k = 0; k < 3; ++k) {
     const ScreenVertex &from = drawn.vertices[(k + 1) % 3], &to = drawn.vertices[(k + 2) % 3];
     const double right = double(to.y - from.y) * scale, below = double(from.x - to.x) * scale;
-    precise_ = precise_ && std::abs(right) * width + std::abs(below) * height <= 8;
-    const double inv_w = perspective ? double(drawn.vertices[k].inv_w) : 1;
+    precise_ = precise_ && std::abs(right) * width + std::abs(below) * height <= 4;
+    const double inv_w = double(drawn.vertices[k].inv_w);
     plane[k][0] = double(edge_function(from, to, x, y)) * scale * inv_w;
     plane[k][1] = right * subpixel * inv_w, plane[k][2] = below * subpixel * inv_w;
   }
   const auto [least, greatest] = std::minmax({a.inv_w, b.inv_w, c.inv_w});
-  precise_ = precise_ && (!perspective || greatest <= 2 * least);
+  precise_ = precise_ && greatest <= 2 * least;
   const auto in_float = [](double first, double right, double below) {
     return Plane{float(first), float(right), float(below)};
   };

@@ -62,11 +62,12 @@ class SmallWeights {
   Batch inv_w_[3];
 };
 
-/// Of a larger triangle: over w, b1, b2 and the sum of all three are planes over the screen.
+/// Of a larger triangle, in perspective: over w, b1, b2 and the sum of all three are planes over
+/// the screen.
 class WeightPlanes {
  public:
   WeightPlanes() = default;
-  WeightPlanes(const DrawnTriangle& drawn, bool perspective);
+  explicit WeightPlanes(const DrawnTriangle& drawn);
 
   /// Whether float holds them: where a coordinate changes by more than 4 over the triangle's box,
   /// or distances differ by more than a factor of 2, rounding errors would grow as much.

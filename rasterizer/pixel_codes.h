@@ -18,6 +18,7 @@ struct ColourTarget {
   std::uint8_t* codes = nullptr;                     // else RGBA8; each pixel is written once
   std::size_t width = 0;                             // of the picture
   std::size_t first_pixel = 0;                       // the pixel that is first there, y * width + x
+  std::size_t first_in_planes = 0;                   // and in the other planes of the framebuffer
   ColourFormat format = ColourFormat::linear_float;  // of codes
 
   /// Where a pixel of a FragmentSpan begins in `linear` or `codes`.

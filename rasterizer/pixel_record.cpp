@@ -41,12 +41,12 @@ std::vector<PointRecord> site_points(const Frame& frame, const Run& run, Surface
   return points;
 }
 
-/// Fragment i of a span, alone in one of its own, in a picture of one pixel.
+/// Fragment i of a span, alone in one of its own.
 void take_fragment(const FragmentSpan& from, const Run& run, int i, FragmentSpan& to) {
   to.draw = from.draw;
   to.size = to.run_count = 1;
   to.runs[0] = {run.drawn, 0, 1, run.back_facing};
-  to.pixel[0] = 0;
+  to.pixel[0] = from.pixel[i];
   to.weight[0] = from.weight[i];
   to.b1[0] = from.b1[i], to.b2[0] = from.b2[i];
   to.with_derivatives = from.with_derivatives;
@@ -120,7 +120,7 @@ void PixelProbe::find_layers(const VisibilityTile& visibility) {
 }
 
 void PixelProbe::resolve(const Frame& frame, const VisibilityTile& visibility) {
-  const auto pixel = std::uint32_t(record.y * frame.viewport.width + record.x);
+  const std::uint32_t pixel = packed_pixel(record.x, record.y);
   // The whole tile: in which order a pixel's fragments are added depends on how spans fill up.
   SpanCollector collector;
   const auto shade = [&](const FragmentSpan& span) {
@@ -135,7 +135,14 @@ void PixelProbe::resolve(const Frame& frame, const VisibilityTile& visibility) {
 
 void PixelProbe::add(const Frame& frame, const FragmentSpan& span, const Run& run, int i) {
   take_fragment(span, run, i, one_);
-  shader_.shade(frame, one_, {.linear = sum_.colour.data()}, sum_);
+  // A picture of this one pixel.
+  const auto width = std::size_t(frame.viewport.width);
+  const std::size_t first = index_of_pixel(span.pixel[i], width);
+  const auto target = [&](Framebuffer& f) {
+    return ColourTarget{
+        .linear = f.colour.data(), .width = width, .first_pixel = first, .first_in_planes = first};
+  };
+  shader_.shade(frame, one_, target(sum_), sum_);
   one_.weight[0] = 1;
   const DrawnTriangle& drawn = *run.drawn;
   const auto& [a, b, c] = drawn.vertices;
@@ -151,7 +158,7 @@ void PixelProbe::add(const Frame& frame, const FragmentSpan& span, const Run& ru
                 [&](int, int begin, int end) { result.x_begin = begin, result.x_end = end; });
 
   Framebuffer picture(1, 1, {.normal = true, .parts = true});
-  shader_.shade(frame, one_, {.linear = picture.colour.data()}, picture);
+  shader_.shade(frame, one_, target(picture), picture);
   result.colour = rgb_at(picture.colour);
   result.ambient = rgb_at(picture.ambient), result.diffuse = rgb_at(picture.diffuse);
   result.glossy = rgb_at(picture.glossy);

@@ -38,8 +38,7 @@ class PixelDirections {
 void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Places& places) {
   const Viewer viewer = frame.viewer;
   const bool each = !viewer.far || !frame.settings.skips.far_directions;
-  const bool keep_positions =
-      draw.illumination.near_lights || !frame.settings.skips.unused_attributes;
+  const bool keep_positions = places_positions(frame, draw);
   // With several samples a fragment may lie beside its pixel's centre.
   const bool by_pixel = !viewer.far && surface.pixel && frame.settings.samples == 1;
   const bool positions = keep_positions || (!viewer.far && !by_pixel);

@@ -12,6 +12,11 @@ struct Places {
   float to_viewer[3][SurfaceSpan::padded];  // unit
 };
 
+/// Whether positions come to world space.
+inline bool places_positions(const Frame& frame, const Draw& draw) {
+  return draw.illumination.near_lights || !frame.settings.skips.unused_attributes;
+}
+
 /// Brings `surface.normal` to world space, unit, and fills `places`. A normal of no length is taken
 /// to face the viewer.
 void place(const Frame& frame, const Draw& draw, SurfaceSpan& surface, Places& places);

@@ -150,7 +150,8 @@ class Resolver {
     } else if (SmallWeights::fits(drawn)) {
       const SmallWeights weights(drawn, perspective_, x, y);
       append(drawn, weights.clockwise(), weights, pixel, count, 1.0f, span);
-    } else if (const LargeTriangle& large = large_triangle(id, drawn); large.planes.precise()) {
+    } else if (const LargeTriangle& large = large_triangle(id, drawn);
+               perspective_ && large.planes.precise()) {
       append(drawn, large.clockwise, WeightPlanes::Row(large.planes, x, y), pixel, count, 1.0f,
              span);
     } else {
@@ -223,8 +224,7 @@ class Resolver {
     LargeTriangle& kept = large_[id % large_.size()];
     if (kept.id != id) {
       const auto& v = drawn.vertices;
-      kept = {id, screen_triangle(v[0], v[1], v[2]).twice_area < 0,
-              WeightPlanes(drawn, perspective_)};
+      kept = {id, screen_triangle(v[0], v[1], v[2]).twice_area < 0, WeightPlanes(drawn)};
     }
     return kept;
   }

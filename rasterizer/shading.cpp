@@ -42,10 +42,11 @@ bool consecutive(const FragmentSpan& span, int first) {
 void add(float weight, float value, float& sum) { sum = weight < 1 ? sum + weight * value : value; }
 
 /// Into a plane of three channels.
-void add_to(std::vector<float>& plane, int width, const FragmentSpan& span,
+void add_to(std::vector<float>& plane, const ColourTarget& target, const FragmentSpan& span,
             const float (&values)[3][SurfaceSpan::padded]) {
   for (int i = 0; i < span.size; ++i) {
-    float* const pixel = &plane[3 * index_of_pixel(span.pixel[i], std::size_t(width))];
+    const std::size_t index = index_of_pixel(span.pixel[i], target.width);
+    float* const pixel = &plane[3 * (index - target.first_in_planes)];
     for (int c = 0; c < 3; ++c) add(span.weight[i], values[c][i], pixel[c]);
   }
 }
@@ -83,11 +84,11 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const Colou
   stats.fragments += span.size;
   write(span, target);
   if (parts) {
-    add_to(framebuffer.ambient, framebuffer.width, span, lit_.ambient);
-    add_to(framebuffer.diffuse, framebuffer.width, span, lit_.diffuse);
-    add_to(framebuffer.glossy, framebuffer.width, span, lit_.glossy);
+    add_to(framebuffer.ambient, target, span, lit_.ambient);
+    add_to(framebuffer.diffuse, target, span, lit_.diffuse);
+    add_to(framebuffer.glossy, target, span, lit_.glossy);
   }
-  if (!framebuffer.normal.empty()) write_normals(frame, span, framebuffer);
+  if (!framebuffer.normal.empty()) write_normals(frame, span, target, framebuffer);
   if (!framebuffer.cost.empty() && span.draw->object->shading == Shading::phong)
     add_evaluations(span, lit_.evaluations, framebuffer);
 }
@@ -179,7 +180,7 @@ void SpanShader::write_codes(const FragmentSpan& span, const ColourTarget& targe
 }
 
 void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
-                               Framebuffer& framebuffer) {
+                               const ColourTarget& target, Framebuffer& framebuffer) {
   const Shading shading = span.draw->object->shading;
   if (shading != Shading::phong || span.draw->illumination.constant) {  // Phong has them already
     interpolate_surface(span, surface_);
@@ -192,7 +193,7 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
     Places unused;
     place(frame, *span.draw, surface_, unused);
   }
-  add_to(framebuffer.normal, framebuffer.width, span, surface_.normal);
+  add_to(framebuffer.normal, target, span, surface_.normal);
 }
 
 }  // namespace scanlit

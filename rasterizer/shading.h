@@ -27,7 +27,8 @@ class SpanShader {
   void write_linear(const FragmentSpan& span, int first, int count,
                     const ColourTarget& target) const;
   void write_codes(const FragmentSpan& span, const ColourTarget& target) const;
-  void write_normals(const Frame& frame, const FragmentSpan& span, Framebuffer& framebuffer);
+  void write_normals(const Frame& frame, const FragmentSpan& span, const ColourTarget& target,
+                     Framebuffer& framebuffer);
 
   SurfaceSpan surface_;
   LitSpan lit_;
