@@ -14,6 +14,7 @@ struct Command {
 
 Command add_render_command(CLI::App& program);
 Command add_explain_command(CLI::App& program);
+Command add_watch_command(CLI::App& program);
 Command add_frames_command(CLI::App& program);
 Command add_reflect_command(CLI::App& program);
 Command add_tradeoff_command(CLI::App& program);

@@ -18,7 +18,7 @@ void expect_narrow(const std::string& text) {
 TEST(Cli, EveryLevelOfHelpHasAnExampleAndFitsTheTerminal) {
   const Folder folder;
   for (const char* level : {"--help", "render --help", "frames --help", "explain --help",
-                            "models --help", "shapes --help"}) {
+                            "watch --help", "models --help", "shapes --help"}) {
     const Outcome help = folder.run(level);
     EXPECT_EQ(help.exit_code, 0) << level;
     EXPECT_TRUE(contains(help.out, "\n  scanlit ")) << level;

@@ -3,6 +3,8 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "lessons/studio/watch/example.h"
+#include "lessons/studio/watch/scan_picture.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image.h"
 #include "tests/golden/scenes.h"
@@ -144,6 +146,16 @@ Framebuffer lesson(const std::string& name) {
   return read_image(picture);
 }
 
+// A row of the third triangle: spans, hidden pixels, the fill rule.
+Framebuffer watched_row() {
+  setenv("SCANLIT_FONT", "none", 1);
+  const studio::WatchExample example = studio::watch_example();
+  const Rect all{0, 0, example.width, example.height};
+  return studio::scan_picture(studio::watch_scan_conversion(example.scene, example.camera, {},
+                                                            example.width, example.height, all),
+                              {2, 6}, 12);
+}
+
 std::vector<Case> all_cases() {
   std::vector<Case> all = {
       {"teapot_flat", rounding, [] { return teapot(Shading::flat); }},
@@ -164,6 +176,7 @@ std::vector<Case> all_cases() {
       {"screen_linear_plane", rounding,
        [] { return foreshortened_plane(Interpolation::screen_linear); }},
       {"intersecting_objects", rounding, intersecting_objects},
+      {"watched_row", rounding, watched_row},
   };
   std::istringstream lessons(SCANLIT_LESSON_NAMES);
   for (std::string name; std::getline(lessons, name, ',');)
