@@ -15,6 +15,7 @@ constexpr int most_lines = 85, most_idea_lines = 30, most_like_lines = 6;
 
 // Lessons that are longer, and why.
 const std::map<std::string, std::string> long_lessons = {
+    {"16_local_global", "furnishes a room"},
     {"23_shadowing", "draws the groove with its rays, to count what the formula claims"},
     {"24_fresnel", "charts and teapots of two materials"},
     {"26_copper", "a spectrum wants a landscape, curves and colours"}};

@@ -28,8 +28,12 @@ void update_picture(const fs::path& file, const Framebuffer& picture) {
 }
 
 void update_page(const std::vector<std::string>& names, std::size_t i) {
-  const LessonRun run =
-      run_lesson(fs::path(SCANLIT_LESSONS) / names[i], fs::path(SCANLIT_LESSONS) / "pages");
+  const fs::path program = fs::path(SCANLIT_LESSONS) / names[i];
+  if (!fs::exists(program)) {
+    std::cout << names[i] << ": not built, for want of a library; its page stays\n";
+    return;
+  }
+  const LessonRun run = run_lesson(program, fs::path(SCANLIT_LESSONS) / "pages");
   if (run.exit_code != 0 || !run.complaints.empty()) throw Error(names[i], run.complaints);
   update_picture(folder / (names[i] + ".png"), run.picture);
   PageParts parts = parts_of(folder, names, i);
