@@ -96,7 +96,7 @@ Command add_tradeoff_command(CLI::App& program) {
             "One thing is changed at a time. What can be:\n";
   for (const StudyAxis& axis : study_axes())
     footer << "  " << axis.name << std::string(14 - axis.name.size(), ' ') << axis.title << '\n';
-  footer << "All take some minutes. In brackets: defaults.";
+  footer << "All take about a minute. In brackets: defaults.";
   app->footer(footer.str());
   const auto options = std::make_shared<TradeoffOptions>();
   app->add_option("-o,--output", options->output, "the page (tradeoff.html)")->type_name("FILE");
