@@ -152,7 +152,8 @@ ObjectPoint point_at(const Mesh& mesh, const std::uint32_t* corner, const double
 }
 
 /// Flat, Gouraud and Phong, and where they differ: at which points the model is evaluated.
-Rgb<double> shade(const Scene& scene, const Camera& camera, const Hit& hit) {
+Rgb<double> shade(const Scene& scene, const Camera& camera, const Hit& hit,
+                  const dvec3& to_viewer) {
   const Object& object = *hit.draw->object;
   const Mesh& mesh = *object.mesh;
   const std::uint32_t* const corner = &mesh.indices[3 * std::size_t(hit.triangle)];
@@ -178,6 +179,7 @@ Rgb<double> shade(const Scene& scene, const Camera& camera, const Hit& hit) {
   ObjectPoint p = point_at(mesh, corner, hit.b, hit.back_facing);
   p.texcoord_dx = weighted(mesh.texcoords, corner, hit.b_dx, dvec2(0));
   p.texcoord_dy = weighted(mesh.texcoords, corner, hit.b_dy, dvec2(0));
+  p.to_viewer = to_viewer;
   p.is_pixel = !mesh.texcoords.empty() && object.material.model->needs().texcoord_derivatives;
   return lit(p);
 }
@@ -219,7 +221,9 @@ ExactPicture render_reference(const Scene& scene, const Camera& camera, int widt
     draw_object(draw, projection * glm::dmat4(draw.object->world_from_object), viewport, hits);
   for (std::size_t i = 0; i < hits.size(); ++i) {
     if (!hits[i].draw) continue;
-    picture.colour[i] = shade(scene, camera, hits[i]);
+    const int x = int(i) % width, y = int(i) / width;
+    picture.colour[i] =
+        shade(scene, camera, hits[i], glm::normalize(pixel_to_eye(camera, width, height, x, y)));
     picture.object[i] = hits[i].draw->index;
     picture.triangle[i] = hits[i].triangle;
     place(hits[i], camera, i, picture);

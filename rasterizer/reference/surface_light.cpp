@@ -113,6 +113,14 @@ Rgb<double> ambient_light(const Scene& scene, const Material& material) {
 
 }  // namespace
 
+dvec3 pixel_to_eye(const Camera& camera, int width, int height, double x, double y) {
+  const dvec3 back = towards_viewer(camera), right = glm::normalize(glm::cross(camera.up, back));
+  const dvec3 below = glm::cross(right, back);
+  const double pixel = 2 * std::tan(glm::radians(camera.fov_deg) / 2) / height;  // at distance 1
+  return back - right * ((x + 0.5 - width / 2.0) * pixel) -
+         below * ((y + 0.5 - height / 2.0) * pixel);
+}
+
 dvec3 world_normal(const Object& object, const ObjectPoint& point, const dvec3& otherwise) {
   const dmat3 m(object.world_from_object);
   const dmat3 cofactors(glm::cross(m[1], m[2]), glm::cross(m[2], m[0]), glm::cross(m[0], m[1]));
@@ -126,7 +134,9 @@ Rgb<double> radiance_in_double(const Scene& scene, const Camera& camera, const O
   const bool far_viewer =
       camera.viewer_at_infinity || camera.projection == Projection::orthographic;
   const dvec3 far_direction = towards_viewer(camera);
-  const dvec3 v = far_viewer ? far_direction : unit_or(camera.eye - position, far_direction);
+  const dvec3 v = far_viewer     ? far_direction
+                  : at.to_viewer ? *at.to_viewer
+                                 : unit_or(camera.eye - position, far_direction);
   const dvec3 n = world_normal(object, at, v);
   const dvec3 t = tangent_at(object, at, n), b = glm::cross(n, t);
   const auto in_frame = [&](const dvec3& d) {

@@ -4,6 +4,7 @@
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <optional>
 
 #include "rasterizer/scene.h"
 
@@ -20,7 +21,14 @@ struct ObjectPoint {
   // By how much texcoord grows to the next pixel, on the right and below; only if `is_pixel`.
   glm::dvec2 texcoord_dx{0}, texcoord_dy{0};
   bool is_pixel = false;
+  // World space, unit: V of what a pixel sees, which is seen along the pixel's own ray, though
+  // snapping has moved the triangle by up to 1/512 pixel. None: from the position to the eye.
+  std::optional<glm::dvec3> to_viewer{};
 };
+
+/// From what is seen at a pixel's centre towards the eye, in world space: not unit, but linear in x
+/// and y. Of a perspective camera.
+glm::dvec3 pixel_to_eye(const Camera& camera, int width, int height, double x, double y);
 
 /// The normal in world space, unit: by the inverse transpose of world_from_object (times its
 /// determinant, for it exists where the inverse does not). `otherwise` where it has no length.

@@ -12,6 +12,7 @@
 
 #include "rasterizer/draw.h"
 #include "rasterizer/reference/reference.h"
+#include "rasterizer/reference/surface_light.h"
 #include "rasterizer/scan_conversion.h"
 
 namespace scanlit::studio {
@@ -47,6 +48,10 @@ class Textbook {
     depth_.assign(count, 0.0f);
     seen_.assign(count, nullptr);
     colour.assign(count, scene_.background * T(1));
+    const auto seen_from = [&](int x, int y) {
+      return vec3<T>(pixel_to_eye(camera_, width, height, x, y));
+    };
+    first_ = seen_from(0, 0), right_ = seen_from(1, 0) - first_, below_ = seen_from(0, 1) - first_;
     triangles_.clear();
     for (const Object& object : scene_.objects) set_up(object);
     for (const Triangle& t : triangles_) scan_convert(t);
@@ -145,7 +150,7 @@ class Textbook {
     };
     const int every = options_.perspective_every;
     if (every <= 1) {
-      for (int x = begin; x < end; ++x) *colour++ = lit(t, every ? exact(x) : linear(x));
+      for (int x = begin; x < end; ++x) *colour++ = lit(t, every ? exact(x) : linear(x), x, y);
       return;
     }
     for (int from = begin; from < end; from += every) {
@@ -155,18 +160,18 @@ class Textbook {
       const Weights step{(at_to.b1 - at_from.b1) * share, (at_to.b2 - at_from.b2) * share};
       for (int x = from; x < to; ++x)
         *colour++ =
-            lit(t, {at_from.b1 + T(x - from) * step.b1, at_from.b2 + T(x - from) * step.b2});
+            lit(t, {at_from.b1 + T(x - from) * step.b1, at_from.b2 + T(x - from) * step.b2}, x, y);
     }
   }
 
-  Rgb<T> lit(const Triangle& t, const Weights& b) const {
+  Rgb<T> lit(const Triangle& t, const Weights& b, int x, int y) const {
     const auto at = [&](Vec3<T> Vertex::*attribute) {
       const Vec3<T>& first = t.v[0].*attribute;
       return first + b.b1 * (t.v[1].*attribute - first) + b.b2 * (t.v[2].*attribute - first);
     };
     const Vec3<T> position = at(&Vertex::position), interpolated = at(&Vertex::normal);
     const Vec3<T> n = options_.normalise ? normalised(interpolated) : interpolated;
-    const Vec3<T> v = normalised(vec3<T>(camera_.eye) - position);
+    const Vec3<T> v = normalised(first_ + T(x) * right_ + T(y) * below_);
     Rgb<T> sum = t.object->material.ka * (scene_.ambient * T(1));
     for (const Light& light : scene_.lights) {
       Vec3<T> l = vec3<T>(light.direction);
@@ -188,6 +193,7 @@ class Textbook {
   const Reflect& reflect_;
   ClusterCache clusters_;
   Viewport viewport_;
+  Vec3<T> first_, right_, below_;  // V of pixel (x, y): first + x right + y below, not unit
   std::vector<Triangle> triangles_;
   std::vector<float> depth_;
   std::vector<const Triangle*> seen_;
