@@ -48,10 +48,10 @@ class Textbook {
     depth_.assign(count, 0.0f);
     seen_.assign(count, nullptr);
     colour.assign(count, scene_.background * T(1));
-    const auto seen_from = [&](int x, int y) {
-      return vec3<T>(pixel_to_eye(camera_, width, height, x, y));
-    };
-    first_ = seen_from(0, 0), right_ = seen_from(1, 0) - first_, below_ = seen_from(0, 1) - first_;
+    const auto seen_from = [&](int x, int y) { return pixel_to_eye(camera_, width, height, x, y); };
+    const glm::dvec3 first = seen_from(0, 0);
+    first_ = vec3<T>(first);
+    right_ = vec3<T>(seen_from(1, 0) - first), below_ = vec3<T>(seen_from(0, 1) - first);
     triangles_.clear();
     for (const Object& object : scene_.objects) set_up(object);
     for (const Triangle& t : triangles_) scan_convert(t);
