@@ -53,10 +53,8 @@ int main(int argc, char** argv) {
         const glm::dvec2 along = (ends[k][1] - ends[k][0]) * (panel == 0 ? 9.0 : 0.0);
         canvas.line(ends[k][0] - along, ends[k][1] + along, colours[k]);
       }
-      for (int k = 0; k < 3 * columns * rows; ++k) {
-        const glm::dvec2 centre(k % columns + .5, k / columns % rows + .5);
-        if (k < columns * rows) canvas.dot(centre, ink::black, 3);
-      }
+      for (int j = 0; j < rows; ++j)
+        for (int i = 0; i < columns; ++i) canvas.dot({i + .5, j + .5}, ink::black, 3);
       return canvas.finish();
     };
     Framebuffer sheet =

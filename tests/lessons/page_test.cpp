@@ -84,7 +84,7 @@ TEST(Pages, LinksLeadSomewhere) {
   std::vector<fs::path> pages = {lessons_folder() / "README.md",
                                  lessons_folder().parent_path() / "README.md"};
   for (const std::string& name : all_lessons()) pages.push_back(lessons_folder() / (name + ".md"));
-  const std::regex link(R"(\]\(([^)#]+)[^)]*\))");
+  const std::regex link(R"(\]\(([^)# ]+)[^) ]*\))");
   for (const fs::path& page : pages) {
     // Not in code, where [&](int i) is none.
     const std::string text =

@@ -70,7 +70,7 @@ std::pair<double, double> filled(const Framebuffer& picture) {
   return {double(right - left) / picture.width, double(bottom - top) / picture.height};
 }
 
-// The size of words is the canvas' business; that none is cut off, no warning says.
+// The size of words is the canvas' business; that none is left out, the lack of warnings says.
 void expect_fit_for_a_slide(const Framebuffer& picture) {
   const auto [across, down] = filled(picture);
   EXPECT_GT(across, 0.85) << "of the width is used";

@@ -11,7 +11,7 @@
 namespace scanlit::test {
 namespace {
 
-constexpr int most_lines = 85, most_idea_lines = 30, most_like_lines = 6;
+constexpr int most_lines = 90, most_idea_lines = 30, most_like_lines = 6;
 
 // Lessons that are longer, and why.
 const std::map<std::string, std::string> long_lessons = {

@@ -56,7 +56,7 @@ void write_words(Framebuffer& picture, double x, double y, const std::string& wo
   const double left = align == Align::left ? x : align == Align::centre ? x - width / 2 : x - width;
   if (width > max_width || left < 0 || left + width > picture.width || y > picture.height ||
       y - size < 0)
-    warn("these words are cut off in so small a picture: " + words);
+    return warn("the picture is too small for these words: " + words);
   const Rgb<float> ink(float(colour.r), float(colour.g), float(colour.b));
   font->draw(picture, int(std::lround(x)), int(std::lround(y)), words, size, align, ink);
 }

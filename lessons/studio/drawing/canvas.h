@@ -29,8 +29,8 @@ struct WordSizes {
 WordSizes word_sizes(int picture_height);
 
 /// Words with their baseline at y (pixels), as large as `largest`, or smaller where they would not
-/// fit into max_width. Where they do not fit in the `smallest` size either, or reach beyond the
-/// picture, a warning says so: they are cut off.
+/// fit into max_width. Where they do not fit in the `smallest` size either, or would reach beyond
+/// the picture, they are left out, and a warning says so.
 void write_words(Framebuffer& picture, double x, double y, const std::string& words, Align align,
                  const Rgb<double>& colour, double max_width, const WordSizes& sizes);
 
@@ -47,7 +47,8 @@ class Canvas {
   Canvas(int width, int height, glm::dvec2 window, const Rgb<double>& paper = ink::paper);
 
   /// Words as for a picture of this height: the sheet's, where the canvas is a panel of one.
-  void letter_for(int sheet_height) { word_sizes_ = word_sizes(sheet_height); }
+  void letter_for(int sheet_height) { letter(word_sizes(sheet_height)); }
+  void letter(const WordSizes& sizes) { word_sizes_ = sizes; }
 
   /// The image's pixels as unit squares, (0, 0) at the origin. It lies below all that is drawn.
   void image(const Framebuffer& image);

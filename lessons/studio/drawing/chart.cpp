@@ -7,7 +7,8 @@
 namespace scanlit::studio {
 namespace {
 
-std::vector<double> ticks(const ChartAxis& axis) {
+/// About so many.
+std::vector<double> ticks(const ChartAxis& axis, int count) {
   std::vector<double> result;
   if (axis.logarithmic) {
     for (int exponent = int(std::ceil(std::log10(axis.low) - 1e-9));
@@ -15,7 +16,7 @@ std::vector<double> ticks(const ChartAxis& axis) {
       result.push_back(std::pow(10.0, exponent));
     return result;
   }
-  const double step = round_ticks(axis.high - axis.low, 5)[1];
+  const double step = round_ticks(axis.high - axis.low, count)[1];
   // Plus 0, which makes 0 of -0.
   for (double k = std::ceil(axis.low / step - 1e-9) + 0.0; k * step <= axis.high + 1e-9 * step; ++k)
     result.push_back(k * step);
@@ -30,17 +31,18 @@ double ChartAxis::place(double value) const {
 
 Chart::Chart(int width, int height, ChartAxis x, ChartAxis y, int sheet_height)
     : canvas_(width, height, {width, height}), x_(std::move(x)), y_(std::move(y)) {
-  if (sheet_height == 0) sheet_height = height;
-  const double word = word_sizes(sheet_height).largest;
-  canvas_.letter_for(sheet_height);
+  WordSizes sizes = word_sizes(sheet_height == 0 ? height : sheet_height);
+  if (sheet_height != 0) sizes.largest = sizes.smallest;  // in a panel there is not much room
+  const double word = sizes.largest;
+  canvas_.letter(sizes);
   low_ = {3.4 * word, height - 2.9 * word};
   high_ = {width - 1.4 * word, 2.2 * word};
-  for (const double tick : ticks(x_)) {
+  for (const double tick : ticks(x_, int((high_.x - low_.x) / (4 * word)))) {
     line({tick, y_.low}, {tick, y_.high}, ink::pale, 2);
     canvas_.words({at({tick, y_.low}).x, low_.y + 1.2 * word}, tick_text(tick), ink::black,
                   Align::centre);
   }
-  for (const double tick : ticks(y_)) {
+  for (const double tick : ticks(y_, 5)) {
     line({x_.low, tick}, {x_.high, tick}, ink::pale, 2);
     canvas_.words({low_.x - 0.4 * word, at({x_.low, tick}).y + 0.35 * word}, tick_text(tick),
                   ink::black, Align::right);

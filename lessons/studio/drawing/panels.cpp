@@ -11,18 +11,25 @@ Framebuffer panels(int width, int height, int columns, const std::vector<std::st
                    const Rgb<double>& paper, int sheet_height) {
   const int count = int(captions.size()), rows = (count + columns - 1) / columns;
   const WordSizes sizes = word_sizes(sheet_height > 0 ? sheet_height : height);
-  const int size = sizes.largest, gap = std::max(2, size / 2), caption = size * 17 / 10;
+  const int size = sizes.largest, gap = std::max(2, size / 2);
+  const auto caption_height = [&](int row) {
+    const auto first = captions.begin() + row * columns;
+    const auto end = captions.begin() + std::min(count, (row + 1) * columns);
+    return std::all_of(first, end, std::mem_fn(&std::string::empty)) ? gap : size * 17 / 10;
+  };
+  int captions_height = 0;
+  for (int row = 0; row < rows; ++row) captions_height += caption_height(row);
   const int panel_width = std::max(1, (width - gap * (columns + 1)) / columns);
-  const int panel_height = std::max(1, (height - gap - rows * caption) / rows);
+  const int panel_height = std::max(1, (height - gap - captions_height) / rows);
   const bool dark = paper.g < 0.2;
 
   Framebuffer sheet = blank_picture(width, height, paper);
-  for (int i = 0; i < count; ++i) {
+  for (int i = 0, y = gap; i < count; ++i) {
+    if (i > 0 && i % columns == 0) y += panel_height + caption_height(i / columns - 1);
     // The last row may be shorter than the others, and stands in the middle.
     const int in_row = std::min(columns, count - i / columns * columns);
     const int row_width = in_row * (panel_width + gap) - gap;
     const int x = (width - row_width) / 2 + i % columns * (panel_width + gap);
-    const int y = gap + i / columns * (panel_height + caption);
     paste(draw(i, panel_width, panel_height), sheet, x, y);
     write_words(sheet, x + panel_width / 2.0, y + panel_height + size * 1.15,
                 captions[std::size_t(i)], Align::centre, dark ? ink::white : ink::black,
