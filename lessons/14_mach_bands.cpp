@@ -33,11 +33,12 @@ std::vector<double> reported(const std::vector<double>& light, int reach) {
   return result;
 }
 
-/// The sharpest bend: by how much the slope changes from one pixel to the next, at most.
+/// The sharpest bend: by how much the slope, per pixel, changes within a few pixels, at most.
 double sharpest_bend(const std::vector<double>& light, int reach) {
+  constexpr int few = 4;
   double bend = 0;
   for (int i = reach; i < int(light.size()) - reach; ++i)
-    bend = std::max(bend, std::abs(light[i - 1] - 2 * light[i] + light[i + 1]));
+    bend = std::max(bend, std::abs(light[i - few] - 2 * light[i] + light[i + few]) / few);
   return bend;
 }
 // end of new idea
@@ -46,7 +47,7 @@ int main(int argc, char** argv) {
   studio::Lesson lesson("Mach bands: the eye finds where light bends.", 1800, 1000);
   int segments = 12, reach = 36;
   lesson.knob("--segments", segments, {3, 200}, "of the cylinder");
-  lesson.knob("--reach", reach, {1, 200}, "of a cell's neighbours, in pixels");
+  lesson.knob("--reach", reach, {4, 200}, "of a cell's neighbours, in pixels");
 
   return lesson.run(argc, argv, [&] {
     Object cylinder = studio::make_object("cylinder:" + std::to_string(segments), "lambert:kd=.85");

@@ -1,5 +1,6 @@
 #include "lessons/studio/drawing/chart.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "lessons/studio/reflect/ticks.h"
@@ -37,7 +38,7 @@ Chart::Chart(int width, int height, ChartAxis x, ChartAxis y, int sheet_height)
   canvas_.letter(sizes);
   low_ = {3.4 * word, height - 2.9 * word};
   high_ = {width - 1.4 * word, 2.2 * word};
-  for (const double tick : ticks(x_, int((high_.x - low_.x) / (4 * word)))) {
+  for (const double tick : ticks(x_, std::min(5, int((high_.x - low_.x) / (4 * word))))) {
     line({tick, y_.low}, {tick, y_.high}, ink::pale, 2);
     canvas_.words({at({tick, y_.low}).x, low_.y + 1.2 * word}, tick_text(tick), ink::black,
                   Align::centre);
