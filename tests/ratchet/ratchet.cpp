@@ -8,13 +8,9 @@
 #include <numbers>
 
 #include "models/blinn_phong.h"
-#include "models/catalogue.h"
 #include "models/cook_torrance.h"
 #include "rasterizer/render.h"
 #include "tests/bench/bench_shapes.h"
-
-// This program's catalogue is what it includes: it is built in seconds.
-void scanlit::models::link_catalogue() {}
 
 namespace scanlit::ratchet {
 
