@@ -192,6 +192,30 @@ testing::AssertionResult has_corner(const std::vector<ClippedTriangle>& pieces, 
   return result;
 }
 
+TEST(Clip, EachPlaneCutsAnEdgeWhereTheyMeet) {
+  const Viewport viewport{64, 48};
+  const float gx = viewport.guard_x(), gy = viewport.guard_y();
+  const struct {
+    Outside plane;
+    ClipVertex beyond, meeting;  // half-way to it from (0, 0, .5, 1)
+  } cases[] = {{outside_near, {0.2f, 0.4f, 1.5f, 1}, {0.1f, 0.2f, 1, 1}},
+               {outside_far, {0.2f, 0.4f, -0.5f, 1}, {0.1f, 0.2f, 0, 1}},
+               {outside_left, {-2 * gx, 0.4f, 0.5f, 1}, {-gx, 0.2f, 0.5f, 1}},
+               {outside_right, {2 * gx, 0.4f, 0.5f, 1}, {gx, 0.2f, 0.5f, 1}},
+               {outside_bottom, {0.2f, -2 * gy, 0.5f, 1}, {0.1f, -gy, 0.5f, 1}},
+               {outside_top, {0.2f, 2 * gy, 0.5f, 1}, {0.1f, gy, 0.5f, 1}}};
+  for (const auto& [plane, beyond, meeting] : cases) {
+    std::vector<ClippedTriangle> pieces;
+    clip({{0, 0, 0.5f, 1}, {0.3f, 0.1f, 0.5f, 1}, beyond}, plane, viewport, pieces);
+    const Bits expected = bits(project(meeting, viewport));
+    int found = 0;
+    for (const ClippedTriangle& piece : pieces)
+      for (const ScreenVertex& v : piece.vertices) found += bits(v) == expected;
+    EXPECT_EQ(pieces.size(), 2u) << plane;
+    EXPECT_GT(found, 0) << plane;
+  }
+}
+
 TEST(Clip, CutPointsKeepTheirDigitsHoweverFarTheOtherEndIs) {
   const Viewport viewport{64, 64};
   for (const float distance : {1e3f, 1e9f, 1e15f}) {
