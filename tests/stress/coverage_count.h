@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rasterizer/scan_conversion.h"
+#include "rasterizer/tiny_triangles.h"
 
 namespace scanlit::stress {
 
@@ -14,7 +15,7 @@ class CoverageCount {
   explicit CoverageCount(const Rect& window)
       : window_(window), sum_(std::size_t(area(window))), touched_(std::size_t(area(window))) {}
 
-  /// Through the whole of scan_convert(), as in a tile that is cut to the triangle's box.
+  /// As in a tile that is cut to the triangle's box.
   void add(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c) {
     const ScreenTriangle triangle = screen_triangle(a, b, c);
     const Rect box = intersection(centre_bounds(triangle), window_);
@@ -23,7 +24,7 @@ class CoverageCount {
     for (ScreenVertex& v : drawn.vertices) v.depth = 0.5f;
     tile_.reset(box, box, 1);
     tile_.triangles.push_back(&drawn);
-    scan_convert(0, tile_, nullptr);
+    if (scan_convert_tiny({&drawn, 1}, 0, tile_) != 0) scan_convert(0, tile_, nullptr);
     for (int y = box.y_begin; y < box.y_end; ++y)
       for (int x = box.x_begin; x < box.x_end; ++x) {
         if (tile_.triangle[tile_.row(0, y) + std::size_t(x - box.x_begin)] == no_triangle) continue;

@@ -91,7 +91,8 @@ void expect_finite(const Framebuffer& framebuffer) {
 
 Object shiny(std::shared_ptr<const Mesh> mesh, Shading shading) {
   Object object = object_of(std::move(mesh), White(), shading);
-  object.material.model = std::make_shared<FormulaModel<models::BlinnPhong<>>>(models::BlinnPhong<>());
+  object.material.model =
+      std::make_shared<FormulaModel<models::BlinnPhong<>>>(models::BlinnPhong<>());
   return object;
 }
 
@@ -161,6 +162,15 @@ TEST(ClippedPicture, VerticesAtTheEyeAndLightsOnTheSurfaceGiveNoNan) {
     expect_finite(picture.framebuffer);
     EXPECT_GT(picture.stats.covered_pixels, 100);
     EXPECT_EQ(picture.stats.clipped, 1);
+  }
+}
+
+TEST(ClippedPicture, BeyondTheRangeOfCoordinatesNothingIsDrawn) {
+  for (const float far : {0.9e18f, 1.1e18f, 1e30f}) {
+    const auto mesh = triangle_soup({{-1, -1, -2}, {1, -1, -2}, {0, far, -2}});
+    const Picture picture = picture_of(scene_of({object_of(mesh)}), eye_at_origin(), 16, 16);
+    EXPECT_EQ(picture.stats.outside, far > 1e18f) << far;
+    EXPECT_EQ(picture.stats.covered_pixels > 0, far < 1e18f) << far;
   }
 }
 

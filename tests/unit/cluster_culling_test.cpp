@@ -286,5 +286,29 @@ TEST(ClusterCulling, KnowsThatSnappingTurnsSmallTrianglesOver) {
     }
 }
 
+// The eye is between two parallel triangles of one cluster, lower than its centre: from there the
+// lower one faces the viewer, which the normals and the centre alone do not tell.
+TEST(ClusterCulling, FacingAwayIsDecidedForEveryTriangleOfACluster) {
+  const auto mesh = triangle_soup({{-1, -1, -1},
+                                   {1, -1, -1},
+                                   {0, 1, -1},  //
+                                   {-1, -1, 1},
+                                   {1, -1, 1},
+                                   {0, 1, 1}});
+  const MeshClusters clusters = make_clusters(*mesh);
+  ASSERT_EQ(clusters.clusters.size(), 1u);
+  const Viewport viewport{1000, 1000};
+  Camera camera;
+  camera.target = {0, 0, 0};
+  camera.up = {0, 0, 1};
+  const auto view_from = [&](double height) {
+    camera.eye = {10, 0, height};
+    return ClusterCuller(draw_of(*mesh, glm::mat4(1), camera, viewport), viewport)
+        .view(clusters.clusters[0]);
+  };
+  EXPECT_EQ(view_from(-0.5), ClusterView::inside);
+  EXPECT_EQ(view_from(-2), ClusterView::back_facing);
+}
+
 }  // namespace
 }  // namespace scanlit

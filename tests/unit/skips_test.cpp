@@ -155,5 +155,24 @@ TEST(Skips, LayersThatNearlyTouchAreAllSeen) {
     }
 }
 
+/// Layers, and through all of them a triangle that begins behind the last and ends before the
+/// first.
+TEST(Skips, ATriangleThroughAllLayersIsSeenWhereItIsNearest) {
+  const int size = 64;
+  const auto mesh_of = [](const std::vector<glm::vec3>& corners) {
+    return triangle_soup(on_screen(corners));
+  };
+  std::vector<Object> objects;
+  for (int layer = 0; layer < 8; ++layer) {
+    const float z = 0.4f + 0.01f * float(layer);
+    objects.push_back(object_of(mesh_of({{0, 0, z}, {0, 128, z}, {128, 0, z}})));
+  }
+  objects.push_back(object_of(mesh_of({{0, 0, 0.1f}, {0, size, 0.1f}, {size, 0, 0.9f}})));
+  const Picture picture = picture_of(scene_of(objects), pixel_camera(size, size), size, size);
+  EXPECT_GT(picture.stats.hidden, 0);
+  EXPECT_EQ(picture.framebuffer.object_id[picture.index(2, 2)], 7u);
+  EXPECT_EQ(picture.framebuffer.object_id[picture.index(size - 4, 1)], 8u);
+}
+
 }  // namespace
 }  // namespace scanlit
