@@ -18,8 +18,12 @@ const std::map<std::string, std::string> long_lessons = {
     {"16_local_global", "furnishes a room"},
     {"23_shadowing", "draws the groove with its rays, to count what the formula claims"},
     {"24_fresnel", "charts and teapots of two materials"},
-    {"26_copper", "a spectrum wants a landscape, curves and colours"}};
-const std::map<std::string, std::string> long_ideas = {};
+    {"26_copper", "a spectrum wants a landscape, curves and colours"},
+    {"35_shading_once", "its own balls and scan conversion, so that shading can be counted"},
+    {"37_accuracy", "three pictures with three references"},
+    {"38_numbers_break", "three places, each without care and with"}};
+const std::map<std::string, std::string> long_ideas = {
+    {"38_numbers_break", "three places, each an idea of its own"}};
 
 class LessonSource : public testing::TestWithParam<std::string> {
  protected:
