@@ -1,6 +1,7 @@
 #include "lessons/studio/drawing/panels.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "lessons/studio/reflect/sheet_layout.h"
 
@@ -63,6 +64,17 @@ Framebuffer magnified(const Framebuffer& picture, int n) {
       for (std::size_t c = 0; c < 4; ++c)
         result.colour[4 * (std::size_t(y) * result.width + x) + c] =
             picture.colour[4 * (std::size_t(y / n) * picture.width + x / n) + c];
+  return result;
+}
+
+Framebuffer difference(const Framebuffer& a, const Framebuffer& b, double times, double& largest) {
+  Framebuffer result(a.width, a.height);
+  largest = 0;
+  for (std::size_t i = 0; i < a.colour.size(); ++i) {
+    const double apart = std::abs(a.colour[i] - b.colour[i]);
+    if (i % 4 < 3) largest = std::max(largest, apart);
+    result.colour[i] = i % 4 < 3 ? float(std::min(apart * times, 1.0)) : 1;
+  }
   return result;
 }
 

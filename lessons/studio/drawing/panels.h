@@ -25,4 +25,8 @@ Framebuffer reduced(const Framebuffer& picture, int n);
 /// Every pixel becomes n x n: what is drawn in pixels, to be looked at.
 Framebuffer magnified(const Framebuffer& picture, int n);
 
+/// How far each channel of two pictures of one size is apart, so many times as bright; and how far
+/// at most.
+Framebuffer difference(const Framebuffer& a, const Framebuffer& b, double times, double& largest);
+
 }  // namespace scanlit::studio
