@@ -100,12 +100,6 @@ inline Batch inverse_sqrt(Batch x) {
   return mul_add(r * e, mul_add(e, 0.375f, 0.5f), r);
 }
 
-/// a * b + c of single floats, rounded as mul_add of a Batch is.
-inline float mul_add_as_batch(float a, float b, float c) {
-  const hn::CappedTag<float, 1> one;
-  return hn::GetLane(hn::MulAdd(hn::Set(one, a), hn::Set(one, b), hn::Set(one, c)));
-}
-
 /// e^x. Domain: all x. Below -87 the result is 0, above 88 it is e^88 (1.65e38), of NaN it is e^-87
 /// (1.65e-38). Maximum error on [-87, 88]: 9e-8 relative.
 /// Source: argument reduction x = k ln 2 + r after Cody and Waite 1980, with ln 2 in two parts so
