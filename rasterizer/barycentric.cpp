@@ -116,16 +116,16 @@ void ExactWeights::store_derivatives(const Batch (&linear)[3], int at, FragmentS
   below.at(w, inverse_sum, piece_, at, span.dy);
 }
 
-Batch ExactWeights::Steps::at(int i) const {
+Batch ExactWeights::Steps::at(const Batch& steps) const {
   const hn::ScalableTag<double> doubles;
   const hn::Rebind<float, decltype(doubles)> floats;
-  const auto half = [&](double first) {
-    const auto index = hn::Iota(doubles, first);
+  const auto half = [&](auto some) {
+    const auto index = hn::PromoteTo(doubles, some);
     const auto edge = hn::Add(hn::Set(doubles, start), hn::Mul(index, hn::Set(doubles, step)));
     return hn::DemoteTo(floats, hn::Mul(edge, hn::Set(doubles, scale)));
   };
-  const int middle = i + int(hn::MaxLanes(doubles));
-  return hn::Combine(Batch::tag, half(double(middle)), half(double(i)));
+  return hn::Combine(Batch::tag, half(hn::UpperHalf(floats, steps.raw)),
+                     half(hn::LowerHalf(floats, steps.raw)));
 }
 
 ExactWeights::Row::Row(const ExactWeights& weights, double x, double y, int first,
@@ -146,8 +146,15 @@ ExactWeights::Row::Row(const ExactWeights& weights, double x, double y, int firs
 }
 
 Barycentric ExactWeights::Row::at(int i) const {
-  Batch w[3] = {linear_[0].at(i), linear_[1].at(i), linear_[2].at(i)};
-  if (span_.with_derivatives) weights_.store_derivatives(w, first_ + i, span_);
+  const Batch steps = Batch::iota(float(i));
+  if (span_.with_derivatives)
+    weights_.store_derivatives({linear_[0].at(steps), linear_[1].at(steps), linear_[2].at(steps)},
+                               first_ + i, span_);
+  return at(steps);
+}
+
+Barycentric ExactWeights::Row::at(const Batch& steps) const {
+  Batch w[3] = {linear_[0].at(steps), linear_[1].at(steps), linear_[2].at(steps)};
   if (weights_.perspective_) divide_by_w(weights_.drawn_, w);
   if (!weights_.piece_) return {w[1], w[2]};
   const auto& m = weights_.piece_->barycentric;

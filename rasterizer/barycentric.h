@@ -45,9 +45,9 @@ class SmallWeights {
 
   bool clockwise() const { return twice_area_ < 0; }
 
-  /// Of the pixels i, i + 1, ... of them.
-  Barycentric at(int i) const {
-    const Batch steps = Batch::iota(float(i));
+  /// Of the pixels i, i + 1, ... of them; or of those.
+  Barycentric at(int i) const { return at(Batch::iota(float(i))); }
+  Barycentric at(const Batch& steps) const {
     const Batch edge_1 = mul_add(steps, step_1_, edge_1_);
     const Batch edge_2 = mul_add(steps, step_2_, edge_2_);
     const Batch edge_0 = Batch(twice_area_) - edge_1 - edge_2;
@@ -83,8 +83,9 @@ class WeightPlanes {
           sum_(planes.on_row(planes.sum_, y)),
           x_(x - planes.x_) {}
 
-    Barycentric at(int i) const {
-      const Batch column = Batch::iota(float(x_ + i));
+    Barycentric at(int i) const { return at(Batch::iota(float(i))); }
+    Barycentric at(const Batch& steps) const {
+      const Batch column = Batch(x_) + steps;
       const Batch inverse_sum = reciprocal(mul_add(column, planes_.sum_.right, sum_));
       return {mul_add(column, planes_.b1_.right, b1_) * inverse_sum,
               mul_add(column, planes_.b2_.right, b2_) * inverse_sum};
@@ -124,7 +125,7 @@ class ExactWeights {
   struct Steps {
     double start, step, scale;
 
-    Batch at(int i) const;  // for i, i + 1, ...
+    Batch at(const Batch& steps) const;
   };
 
   /// Point (x, y), in 1/256 pixel, and every 256 units to the right of it. Where the span has
@@ -134,6 +135,7 @@ class ExactWeights {
     Row(const ExactWeights& weights, double x, double y, int first, FragmentSpan& span);
 
     Barycentric at(int i) const;
+    Barycentric at(const Batch& steps) const;  // without derivatives
 
    private:
     const ExactWeights& weights_;

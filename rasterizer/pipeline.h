@@ -51,8 +51,10 @@
 //    same to the bit on every processor. Only shading may differ, by rounding.
 #pragma once
 
+#include <atomic>
 #include <glm/mat3x3.hpp>
 #include <glm/mat4x4.hpp>
+#include <memory>
 #include <span>
 
 #include "rasterizer/mesh/clusters.h"
@@ -209,6 +211,8 @@ struct Chunk {
   std::vector<Bin> bins;
   std::vector<BinEntry> entries;
   FrameStats counts;
+  // (8) strides.h: of each triangle, 0 where it is not known yet. Null with tolerance 0.
+  std::unique_ptr<std::atomic<std::uint8_t>[]> strides;
 
   std::size_t number_of(const DrawnTriangle& t) const { return std::size_t(&t - triangles.data()); }
 };
@@ -224,6 +228,8 @@ struct Frame {
   std::vector<Chunk> chunks;  // (6)
   bool with_parts = false;    // colours are wanted in parts, too
   Viewer viewer = viewer_of(camera, viewport.width, viewport.height);
+  ColourFormat format = ColourFormat::linear_float;
+  bool colour_alone = false;  // of what fragments are shaded for
 
   const Draw& draw_of(const DrawnTriangle& t) const { return draws[t.draw]; }
 };
@@ -286,6 +292,10 @@ struct Run {
   const DrawnTriangle* drawn;
   std::uint16_t first, size;  // in the span
   bool back_facing;           // its normal is flipped to the viewer's side
+  // strides.h: fragments are every so many pixels, and at the last of so many; the colours of those
+  // between are interpolated.
+  std::uint8_t stride;
+  std::uint16_t pixels;
 };
 
 /// A pixel as one number; in a row they are consecutive. Sides are at most 2^14.
@@ -306,6 +316,8 @@ struct FragmentSpan {
 
   const Draw* draw = nullptr;
   int size = 0, run_count = 0;
+  int pixels = 0;           // of all runs
+  bool may_stride = false;  // strides.h
   Run runs[capacity];
   std::uint32_t pixel[padded];   // packed_pixel(); row by row, from left to right
   float weight[padded];          // share of the pixel's samples, 0..1

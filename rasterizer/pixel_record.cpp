@@ -44,8 +44,8 @@ std::vector<PointRecord> site_points(const Frame& frame, const Run& run, Surface
 /// Fragment i of a span, alone in one of its own.
 void take_fragment(const FragmentSpan& from, const Run& run, int i, FragmentSpan& to) {
   to.draw = from.draw;
-  to.size = to.run_count = 1;
-  to.runs[0] = {run.drawn, 0, 1, run.back_facing};
+  to.size = to.run_count = to.pixels = 1;
+  to.runs[0] = {run.drawn, 0, 1, run.back_facing, 1, 1};
   to.pixel[0] = from.pixel[i];
   to.weight[0] = from.weight[i];
   to.b1[0] = from.b1[i], to.b2[0] = from.b2[i];

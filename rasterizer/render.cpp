@@ -46,6 +46,8 @@ void validate(const RenderSettings& settings) {
     throw Error("samples must be 1, 4, 8 or 16, not " + std::to_string(s));
   if (settings.threads < 0 || settings.threads > 1024)
     throw Error("threads must be 0 (all cores) to 1024, not " + std::to_string(settings.threads));
+  if (!(settings.tolerance >= 0 && settings.tolerance <= 255))
+    throw Error("tolerance must be 0 to 255, not " + std::to_string(settings.tolerance));
 }
 
 /// Runs work(i) for each i below count, in parallel.
@@ -168,6 +170,9 @@ FrameStats Renderer::State::run_stages(Frame& frame, const Changes& changes,
   make_draws(frame, changes);
   std::vector<Redo> tiles = find_tiles(frame, changes);
   assemble_all(frame, changes);
+  for (Chunk& chunk : frame.chunks)
+    if (frame.settings.tolerance > 0)
+      chunk.strides = std::make_unique<std::atomic<std::uint8_t>[]>(chunk.triangles.size());
   const std::vector<Redo> tiles_now = find_tiles(frame, changes);
   for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i] = std::max(tiles[i], tiles_now[i]);
 
@@ -245,7 +250,10 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
               .grid = make_tile_grid(viewport, settings.samples),
               .draws = std::move(state.draws),
               .chunks = std::move(state.chunks),
-              .with_parts = !framebuffer.ambient.empty()};
+              .with_parts = !framebuffer.ambient.empty(),
+              .format = framebuffer.format,
+              .colour_alone = framebuffer.ambient.empty() && framebuffer.normal.empty() &&
+                              framebuffer.cost.empty()};
   const int threads = settings.threads > 0 ? settings.threads : tbb::info::default_concurrency();
   state.use_threads(threads);
   // Threads that sleep are woken while the draws are made: they take as long to wake as a tile.

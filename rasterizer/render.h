@@ -53,6 +53,11 @@ struct RenderSettings {
   bool clamp_vertex_colours = false;  // Gouraud: clamp to [0,1] at the vertices, as OpenGL's
                                       // fixed-point colours were
   Skips skips{};
+  // By how much a pixel may be off, in codes: 255 times the colour as the framebuffer encodes it
+  // (a float framebuffer's as sRGB would). 0: all is evaluated; else only as much as keeps what is
+  // left out within this bound, of all kinds together. Where parts, normals or costs are asked for,
+  // all is.
+  double tolerance = 0;
   bool reuse = false;  // Renderer: what has not changed since its last frame stands. Costs memory.
   std::function<void(double)> progress{};  // called with 0..1, from any thread, one call at a time
   FrameProbe* probe = nullptr;             // looks on while the frame is drawn: see frame_probe.h

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "rasterizer/barycentric.h"
+#include "rasterizer/strides.h"
 
 namespace scanlit {
 
@@ -14,7 +15,7 @@ namespace scanlit {
 class SpanCollector {
  public:
   /// The open span of a draw; a new one if it has none.
-  FragmentSpan& span_of(const Draw& draw);
+  FragmentSpan& span_of(const Frame& frame, const Draw& draw);
 
   /// Hands every open span to use(span) and closes it.
   template <class Use>
@@ -127,6 +128,8 @@ class Resolver {
     covered_pixels_ += end - begin;
     const DrawnTriangle& drawn = *visibility_.triangles[id];
     FragmentSpan& span = span_of(drawn);
+    if (span.may_stride && end - begin > 3 && append_some(id, drawn, begin, y, end - begin, span))
+      return;
     while (begin < end) {
       const int count = std::min(end - begin, FragmentSpan::capacity - span.size);
       append(id, drawn, begin, y, count, span);
@@ -136,7 +139,7 @@ class Resolver {
 
   FragmentSpan& span_of(const DrawnTriangle& drawn) {
     if (!span_ || span_->draw->index != drawn.draw)
-      span_ = &collector_.span_of(frame_.draw_of(drawn));
+      span_ = &collector_.span_of(frame_, frame_.draw_of(drawn));
     return *span_;
   }
 
@@ -167,6 +170,61 @@ class Resolver {
            count, weight, span);
   }
 
+  /// Only every so many pixels, and the last. False where all must be.
+  bool append_some(TriangleId id, const DrawnTriangle& drawn, int x, int y, int count,
+                   FragmentSpan& span) {
+    const bool small = SmallWeights::fits(drawn);
+    const int stride = small ? stride_of(frame_, drawn) : large_triangle(id, drawn, true).stride;
+    if (stride == 1) return false;
+    const int size = (count - 2) / stride + 2;
+    const auto place = [&](bool clockwise, const auto& weights) {
+      if (span.size + size > FragmentSpan::capacity) shade(span);
+      const hn::RebindToUnsigned<Batch::Tag> pixels;
+      const int first = span.size;
+      for (int i = 0; i < size; i += Batch::lanes) {
+        const Batch steps = min(Batch::iota(float(i)) * Batch(stride), Batch(count - 1));
+        const auto [b1, b2] = weights.at(steps);
+        b1.store(span.b1 + first + i);
+        b2.store(span.b2 + first + i);
+        Batch(1).store(span.weight + first + i);
+        const auto columns = hn::ConvertTo(hn::RebindToSigned<Batch::Tag>(), steps.raw);
+        const auto row = hn::Set(pixels, packed_pixel(x, y));
+        hn::StoreU(hn::Add(row, hn::BitCast(pixels, columns)), pixels, span.pixel + first + i);
+      }
+      close(drawn, clockwise, size, stride, count, span);
+      return true;
+    };
+    if (small) {
+      const SmallWeights weights(drawn, perspective_, x, y);
+      return place(weights.clockwise(), weights);
+    }
+    const LargeTriangle& large = large_triangle(id, drawn, true);
+    if (perspective_ && large.planes.precise())
+      return place(large.clockwise, WeightPlanes::Row(large.planes, x, y));
+    const ExactWeights weights(frame_, drawn);
+    return place(weights.clockwise(),
+                 ExactWeights::Row(weights, x * subpixel + half_pixel, y * subpixel + half_pixel,
+                                   span.size, span));
+  }
+
+  /// Ends the run of the fragments that were stored last.
+  void close(const DrawnTriangle& drawn, bool clockwise, int size, int stride, int pixels,
+             FragmentSpan& span) {
+    span.runs[span.run_count++] = {.drawn = &drawn,
+                                   .first = std::uint16_t(span.size),
+                                   .size = std::uint16_t(size),
+                                   .back_facing = clockwise != span.draw->mirrored,
+                                   .stride = std::uint8_t(stride),
+                                   .pixels = std::uint16_t(pixels)};
+    span.size += size, span.pixels += pixels;
+    if (span.size == FragmentSpan::capacity) shade(span);
+  }
+
+  void shade(FragmentSpan& span) {
+    shade_(span);
+    span.size = span.run_count = span.pixels = 0;
+  }
+
   /// weights.at(i): the barycentric coordinates of fragments i, i + 1, ...
   template <class Weights>
   void append(const DrawnTriangle& drawn, bool clockwise, const Weights& weights,
@@ -180,12 +238,7 @@ class Resolver {
       Batch(weight).store(span.weight + first + i);
       hn::StoreU(hn::Iota(pixels, pixel + std::uint32_t(i)), pixels, span.pixel + first + i);
     }
-    span.runs[span.run_count++] = {&drawn, std::uint16_t(first), std::uint16_t(count),
-                                   clockwise != span.draw->mirrored};
-    span.size += count;
-    if (span.size < FragmentSpan::capacity) return;
-    shade_(span);
-    span.size = span.run_count = 0;
+    close(drawn, clockwise, count, 1, count, span);
   }
 
   /// One fragment for each triangle seen in a pixel, at the pixel's centre where the triangle
@@ -219,13 +272,18 @@ class Resolver {
     TriangleId id = no_triangle;
     bool clockwise = false;
     WeightPlanes planes;
+    int stride = 0;  // not known yet
   };
-  const LargeTriangle& large_triangle(TriangleId id, const DrawnTriangle& drawn) {
+  const LargeTriangle& large_triangle(TriangleId id, const DrawnTriangle& drawn,
+                                      bool with_stride = false) {
     LargeTriangle& kept = large_[id % large_.size()];
     if (kept.id != id) {
       const auto& v = drawn.vertices;
       kept = {id, screen_triangle(v[0], v[1], v[2]).twice_area < 0, WeightPlanes(drawn)};
     }
+    if (with_stride && kept.stride == 0)
+      kept.stride =
+          is_large(drawn) ? stride_in(frame_, drawn, visibility_.rect) : stride_of(frame_, drawn);
     return kept;
   }
 

@@ -8,7 +8,8 @@ namespace {
 
 bool same_picture(const RenderSettings& a, const RenderSettings& b) {
   return a.samples == b.samples && a.interpolation == b.interpolation &&
-         a.clamp_vertex_colours == b.clamp_vertex_colours && a.skips == b.skips;
+         a.clamp_vertex_colours == b.clamp_vertex_colours && a.skips == b.skips &&
+         a.tolerance == b.tolerance;
 }
 
 bool same(const Object& a, const Object& b) {

@@ -5,6 +5,7 @@
 
 #include "rasterizer/batch.h"
 #include "rasterizer/cost.h"
+#include "rasterizer/interpolated_run.h"
 #include "rasterizer/placement.h"
 #include "rasterizer/scalar_math.h"
 
@@ -81,7 +82,7 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const Colou
     case Shading::gouraud: gouraud(frame, span, parts); break;  // at vertices; colour interpolated
     case Shading::phong: phong(frame, span, parts); break;      // normal interpolated; per fragment
   }
-  stats.fragments += span.size;
+  stats.fragments += span.pixels;
   write(span, target);
   if (parts) {
     add_to(framebuffer.ambient, target, span, lit_.ambient);
@@ -138,6 +139,7 @@ void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) 
 // -------------------------------------------------------------------------------------------------
 
 void SpanShader::write(const FragmentSpan& span, const ColourTarget& target) const {
+  if (span.pixels != span.size) return write_runs(span, target);
   if (target.codes) return write_codes(span, target);
   const Batch one(1);
   for (int i = 0; i < span.size; i += Batch::lanes) {
@@ -149,6 +151,52 @@ void SpanShader::write(const FragmentSpan& span, const ColourTarget& target) con
     const auto channel = [&](int c) { return Batch::load(lit_.colour[c] + i).raw; };
     hn::StoreInterleaved4(channel(0), channel(1), channel(2), one.raw, Batch::tag,
                           target.linear + target.element(span.pixel[i]));
+  }
+}
+
+/// Where some runs were not shaded at every pixel.
+void SpanShader::write_runs(const FragmentSpan& span, const ColourTarget& target) const {
+  const PixelEncoder encoder(target.codes ? target.format : ColourFormat::linear_8bit);
+  // `count` pixels of a row, at most a vector.
+  const auto put = [&](std::uint32_t pixel, int count, const Rgb<Batch>& colour) {
+    if (target.codes) {
+      const auto codes = encoder.opaque(colour.r, colour.g, colour.b);
+      auto* const to = reinterpret_cast<std::uint32_t*>(target.codes + target.element(pixel));
+      if (count == Batch::lanes) return hn::StoreU(codes, PixelEncoder::Tag(), to);
+      std::uint32_t all[Batch::lanes];
+      hn::StoreU(codes, PixelEncoder::Tag(), all);
+      for (int i = 0; i < count; ++i) to[i] = all[i];
+    } else {
+      float rgba[4 * Batch::lanes];
+      hn::StoreInterleaved4(colour.r.raw, colour.g.raw, colour.b.raw, Batch(1).raw, Batch::tag,
+                            rgba);
+      std::memcpy(target.linear + target.element(pixel), rgba, 16 * std::size_t(count));
+    }
+  };
+  // The last vector of a run lies over the one before it, where that spares a partial one.
+  const auto put_run = [&](const Run& run, const auto& colour) {
+    const std::uint32_t pixel = span.pixel[run.first];
+    const int size = run.pixels;
+    for (int i = 0; i < size; i += Batch::lanes) {
+      const int from = std::max(0, std::min(i, size - Batch::lanes));
+      put(pixel + unsigned(from), std::min(Batch::lanes, size - from), colour(from));
+    }
+  };
+  for (int r = 0; r < span.run_count; ++r) {
+    const Run& run = span.runs[r];
+    if (run.stride > 1) {
+      const InterpolatedRun colours(run, lit_.colour);
+      put_run(run, [&](int i) { return colours.at(i); });
+    } else if (target.codes) {
+      const auto channel = [&](int c, int i) {
+        return Batch::load(lit_.colour[c] + run.first + i);
+      };
+      put_run(run, [&](int i) -> Rgb<Batch> {
+        return {channel(0, i), channel(1, i), channel(2, i)};
+      });
+    } else {
+      write_linear(span, run.first, run.size, target);
+    }
   }
 }
 

@@ -26,6 +26,7 @@ class SpanShader {
   void write(const FragmentSpan& span, const ColourTarget& target) const;
   void write_linear(const FragmentSpan& span, int first, int count,
                     const ColourTarget& target) const;
+  void write_runs(const FragmentSpan& span, const ColourTarget& target) const;
   void write_codes(const FragmentSpan& span, const ColourTarget& target) const;
   void write_normals(const Frame& frame, const FragmentSpan& span, const ColourTarget& target,
                      Framebuffer& framebuffer);

@@ -2,6 +2,8 @@
 // loaded: what was left open is filled in when scene and camera are made of it.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -64,6 +66,16 @@ struct Picture {
   ImageOptions image;
 
   Picture() { settings.samples = 4; }
+
+  /// The settings, with a tolerance in codes of the file made one in those of the framebuffer: a
+  /// brighter picture shows more, and where linear codes are finer than sRGB's, at most by the
+  /// slope 1.055 / 2.4 that sRGB has at 1, they do, too.
+  RenderSettings render_settings() const {
+    RenderSettings result = settings;
+    result.tolerance /= std::max(1.0, std::exp2(image.exposure_ev));
+    if (image.encoding == Encoding::linear) result.tolerance *= 1.055 / 2.4;
+    return result;
+  }
 };
 
 struct Description {

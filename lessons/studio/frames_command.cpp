@@ -128,10 +128,11 @@ Counts draw(const Job& job, Sequence& sequence) {
   ProgressBar bar;
   for (const int index : missing) {
     FrameScene frame = sequence.frame(index);
-    frame.picture.settings.progress = [&](double done) {
+    RenderSettings settings = frame.picture.render_settings();
+    settings.progress = [&](double done) {
       bar.show((double(counts.drawn) + done) / double(missing.size()));
     };
-    renderer.render(frame.scene, frame.camera, frame.picture.settings, framebuffer);
+    renderer.render(frame.scene, frame.camera, settings, framebuffer);
     const HoldInterrupts until_written;
     write_image(job.folder.file(index), framebuffer, frame.picture.image);
     ++counts.drawn;

@@ -99,7 +99,7 @@ FrameStats draw(const Scene& scene, const Camera& camera, RenderSettings setting
 void render_picture(const RenderOptions& options) {
   const Description description = describe(options.input, options.given());
   const Picture& picture = description.picture;
-  RenderSettings settings = picture.settings;
+  RenderSettings settings = picture.render_settings();
   settings.skips = options.skips();
   check_targets(options, picture);
 

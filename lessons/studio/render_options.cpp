@@ -155,6 +155,11 @@ const Edit all_edits[] = {
      }},
     {picture, "--interpolation", "NAME", "perspective, or screen-linear to see its error",
      set_interpolation},
+    {picture, "--tolerance", "E",
+     "skip what changes no pixel by more than E steps of its 8 bits (0: nothing that does)",
+     [](Description& d, Text where, Text text) {
+       d.picture.settings.tolerance = parse_number(where, text, {0, 255});
+     }},
     {picture, "--clamp-vertex-colours", "", "Gouraud: clamp colours to 0..1 at the vertices",
      [](Description& d, Text, Text) { d.picture.settings.clamp_vertex_colours = true; }},
     {picture, "--threads", "N", "processors used (all)",
