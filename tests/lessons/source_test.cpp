@@ -19,8 +19,8 @@ const std::map<std::string, std::string> long_lessons = {
     {"23_shadowing", "draws the groove with its rays, to count what the formula claims"},
     {"24_fresnel", "charts and teapots of two materials"},
     {"26_copper", "a spectrum wants a landscape, curves and colours"},
+    {"34_spans_in_vectors", "draws the lanes beside the pictures, and measures"},
     {"35_shading_once", "its own balls and scan conversion, so that shading can be counted"},
-    {"37_accuracy", "three pictures with three references"},
     {"38_numbers_break", "three places, each without care and with"}};
 const std::map<std::string, std::string> long_ideas = {
     {"38_numbers_break", "three places, each an idea of its own"}};
