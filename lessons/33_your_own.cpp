@@ -74,7 +74,7 @@ int main(int argc, char** argv) {
       Scene scene =
           studio::make_stage({studio::make_object(panel < 3 ? "teapot:32" : "trefoil:64", model)});
       for (const double x : {-.9, -.3, .4, .9})
-        scene.lights.push_back(studio::far_light({x, .4 - x * x, .5 + .3 * x}, .35));
+        scene.lights.push_back(studio::far_light({x, .4 - x * x, .5 + .3 * x}, .3));
       return studio::photograph(scene, {1, 2, 5}, width, height);
     };
     const auto name = [&](int i) { return studio::text_of(films[i]) + " nm"; };

@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
   return lesson.run(argc, argv, [&] {
     const std::vector<std::string> names = {"the picture", "float, not double", "Phong shading",
                                             "Gouraud shading"};
-    const std::vector<double> ends = {.001, .01, .1, .5, 2, 8, 32};
+    const std::vector<double> ends = {.01, .1, .5, 2, 8, 32};
     std::vector<studio::HeatScale::Band> bands;
     for (double end : ends) bands.push_back({end, "< " + studio::text_of(end)});
     bands.push_back({0, "more"});

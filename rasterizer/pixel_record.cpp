@@ -187,6 +187,7 @@ PixelRecord record_pixel(const Scene& scene, const Camera& camera, const RenderS
   RenderSettings all = settings;
   all.probe = &probe;
   all.reuse = false;
+  all.tolerance = 0;  // a pixel between two shaded ones has no derivation
   // So that every light, direction and hidden triangle is there to be recorded.
   all.skips.dark_lights = all.skips.far_directions = all.skips.unused_attributes = false;
   all.skips.hidden_triangles = all.skips.empty_pixels = false;

@@ -159,6 +159,9 @@ Framebuffer watched_row() {
 const Tolerance edges{1e-4f, 1e-4f, 75,
                       "pixels on the edge of light fall to either side of it by rounding"};
 
+const Tolerance bands{1e-4f, 1e-4f, 75,
+                      "pixels on the border of two colour bands change by rounding"};
+
 std::vector<Case> all_cases() {
   std::vector<Case> all = {
       {"teapot_flat", rounding, [] { return teapot(Shading::flat); }},
@@ -185,8 +188,8 @@ std::vector<Case> all_cases() {
   for (std::string name; std::getline(lessons, name, ',');) {
     // What is there to see is a hard edge where light ends: N.L is 0 there, but for rounding.
     const bool hard_edges = name == "23_shadowing" || name == "25_plate";
-    all.push_back(
-        {"lesson_" + name, hard_edges ? edges : rounding, [name] { return lesson(name); }});
+    const Tolerance& tolerance = hard_edges ? edges : name == "37_accuracy" ? bands : rounding;
+    all.push_back({"lesson_" + name, tolerance, [name] { return lesson(name); }});
   }
   for (Case& model_case : model_cases()) all.push_back(std::move(model_case));
   return all;
