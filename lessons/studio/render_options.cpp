@@ -155,8 +155,7 @@ const Edit all_edits[] = {
      }},
     {picture, "--interpolation", "NAME", "perspective, or screen-linear to see its error",
      set_interpolation},
-    {picture, "--tolerance", "E",
-     "skip what changes no pixel by more than E 8-bit steps (0)",
+    {picture, "--tolerance", "E", "skip what changes no pixel by more than E 8-bit steps (0)",
      [](Description& d, Text where, Text text) {
        d.picture.settings.tolerance = parse_number(where, text, {0, 255});
      }},
