@@ -17,7 +17,8 @@
 //                                           tile_triangles.h, coarse_depth.h; many at once
 //                                           where they are tiny: tiny_triangles.h)
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
-//                                           (where in their triangles: barycentric.h)
+//                                           (where in their triangles: barycentric.h; which
+//                                           may be interpolated, on request: strides.h)
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
 //       surface          surface.h          attributes at faces, vertices, fragments   object
 //       placement        placement.h        normals and V                              world
