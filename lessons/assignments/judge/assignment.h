@@ -1,0 +1,66 @@
+// An assignment, as the judge sees it.
+//
+// How to add one: a folder lessons/assignments/A4_shading with
+//   page.md         the task, in the student's hands README.md; {{words}} are filled in by the seed
+//   NAME.h          what the student's file includes: types, and the functions to write
+//   NAME.cpp        the solution; strip.h says how the starter is made from it
+//   main.cpp        serves the judge's questions by calling those functions: see answer/serve.h
+//   rubric.toml     points: see rubric.h
+//   wrong.toml      typical wrong solutions, what they score and what is said about them
+//   judge.cpp       `Assignment a4_shading()`: the variant, the parts, what is asked, the reference
+// and one line in assignments.cpp.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "lessons/assignments/judge/respondent.h"
+#include "lessons/assignments/judge/verdict.h"
+
+namespace scanlit::assignments {
+
+/// What a test found out.
+struct Finding {
+  double share = 1;     // of the points, 0..1
+  std::string message;  // what is wrong; empty where share is 1
+
+  static Finding wrong(std::string message) { return {0, std::move(message)}; }
+};
+
+/// A test while it runs.
+struct Examination {
+  Respondent& student;
+  std::uint64_t variant;    // seed of the variant
+  std::uint64_t questions;  // seed of what is asked
+  std::vector<JudgedPicture>& pictures;
+};
+
+struct Part {
+  std::string id;    // "A1.2"
+  std::string name;  // "Fill rule"
+  std::function<Finding(Examination&)> run;
+};
+
+/// What {{places}} in the page and in the student's files stand for.
+using Words = std::map<std::string, std::string>;
+
+struct Assignment {
+  std::string id;      // "A1"
+  std::string title;   // "Scan conversion"
+  std::string folder;  // "A1_scan_conversion", in lessons/assignments
+  std::string file;    // what the student writes: "scan_conversion.cpp"
+  std::string header;  // and includes: "scan_conversion.h"
+  std::function<Words(std::uint64_t seed)> words;
+  std::vector<Part> parts;
+};
+
+/// All there are, in order.
+const std::vector<Assignment>& assignments();
+
+/// Throws Error where there is none of this id.
+const Assignment& assignment(const std::string& id);
+
+}  // namespace scanlit::assignments

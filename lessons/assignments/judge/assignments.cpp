@@ -1,0 +1,23 @@
+#include <string>
+#include <vector>
+
+#include "lessons/assignments/judge/assignment.h"
+#include "rasterizer/error.h"
+
+namespace scanlit::assignments {
+
+const std::vector<Assignment>& assignments() {
+  static const std::vector<Assignment> all{};
+  return all;
+}
+
+const Assignment& assignment(const std::string& id) {
+  std::vector<std::string> ids;
+  for (const Assignment& each : assignments()) {
+    if (each.id == id) return each;
+    ids.push_back(each.id);
+  }
+  throw Error("unknown assignment '" + id + "'" + did_you_mean(id, ids));
+}
+
+}  // namespace scanlit::assignments
