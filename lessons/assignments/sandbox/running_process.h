@@ -1,0 +1,48 @@
+// A program while it runs, seen from the judge: what it says, how long it may take, how it ends.
+#pragma once
+
+#include <chrono>
+
+#include "lessons/assignments/sandbox/launch.h"
+
+namespace scanlit::sandbox {
+
+struct RunningProcess {
+  using Clock = std::chrono::steady_clock;
+
+  /// Starts it. `questions` and `answers` stay empty unless it is a conversation.
+  RunningProcess(Launch what, bool conversation);
+  ~RunningProcess() { end(); }
+  RunningProcess(const RunningProcess&) = delete;
+
+  /// Until the program has ended by itself, or the deadline is over.
+  bool wait(Clock::time_point deadline);
+  /// Until all of `bytes` is written or read; false where the pipe's other end was closed. Throws
+  /// nothing: where the deadline is over, `late` is set and the result false.
+  bool write(std::span<const std::byte> bytes, Clock::time_point deadline);
+  bool read(std::span<std::byte> bytes, Clock::time_point deadline);
+
+  /// Kills all that is left, and fills in `outcome`. Safe to repeat.
+  void end();
+
+  Clock::time_point deadline() const;
+
+  Launch launch;
+  Descriptor output, questions, answers;  // the judge's ends
+  pid_t pid = -1;
+  bool late = false;  // a deadline was over
+  Outcome outcome;
+
+ private:
+  /// Sleeps until the pipe is ready, some milliseconds are over, or the deadline is. Keeps what the
+  /// program prints meanwhile.
+  bool ready(int descriptor, short event, Clock::time_point deadline);
+  void keep_output();
+  bool has_ended();
+  void kill_all() const;
+
+  bool ended_ = false;  // and not reaped
+  bool over_ = false;   // reaped
+};
+
+}  // namespace scanlit::sandbox

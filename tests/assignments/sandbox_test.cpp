@@ -1,0 +1,98 @@
+// What a sandbox promises whatever layers it has: programs run, answer, and end when they must.
+#include "lessons/assignments/sandbox/sandbox.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/assignments/hostile_program.h"
+
+namespace scanlit::test {
+namespace {
+
+using End = sandbox::Outcome::End;
+
+constexpr const char* doubler = R"(
+#include <unistd.h>
+int main() {
+  for (int question; read(0, &question, sizeof question) == sizeof question;) {
+    const int answer = 2 * question;
+    write(1, &answer, sizeof answer);
+  }
+}
+)";
+
+int ask(sandbox::Conversation& conversation, int question) {
+  int answer = 0;
+  conversation.send(std::as_bytes(std::span(&question, 1)));
+  conversation.receive(std::as_writable_bytes(std::span(&answer, 1)));
+  return answer;
+}
+
+std::string what_is_said_of(const std::string& source) {
+  HostileProgram program(source);
+  sandbox::Conversation conversation = program.start();
+  try {
+    ask(conversation, 1);
+  } catch (const sandbox::NoAnswer& error) {
+    return error.what();
+  }
+  return "answered";
+}
+
+TEST(Sandbox, ProgramIsCompiledAndRuns) {
+  HostileProgram program("#include <stdio.h>\nint main() { puts(\"hello\"); return 3; }");
+  ASSERT_TRUE(program.build().good()) << program.build().output;
+  const sandbox::Outcome outcome = program.run();
+  EXPECT_EQ(outcome.end, End::exited);
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.output, "hello\n");
+}
+
+TEST(Sandbox, ProgramAnswersQuestions) {
+  HostileProgram program(doubler);
+  ASSERT_TRUE(program.build().good()) << program.build().output;
+  sandbox::Conversation conversation = program.start();
+  for (int question = 0; question < 1000; ++question)
+    ASSERT_EQ(ask(conversation, question), 2 * question);
+  std::vector<int> many(1 << 16, 21);  // more than a pipe holds, while nobody reads the answers
+  EXPECT_THROW(conversation.send(std::as_bytes(std::span(many))), sandbox::Silent);
+}
+
+TEST(Sandbox, SaysHowAProgramEnded) {
+  EXPECT_EQ(what_is_said_of("int main() { return 0; }"), "ended by itself, with exit status 0");
+  EXPECT_EQ(what_is_said_of("int main() { __builtin_trap(); }"), "crashed (SIGILL)");
+  EXPECT_EQ(what_is_said_of("int main() { for (volatile int i = 0;;) i = 1; }"),
+            "needed more than 1 s of processor time");
+  EXPECT_EQ(what_is_said_of("#include <unistd.h>\nint main() { pause(); }"), "did nothing for 2 s");
+}
+
+TEST(Sandbox, KeepsTheFirstOfMuchOutput) {
+  HostileProgram program(
+      "#include <stdio.h>\nint main() { for (int i = 0; i < 3000000; ++i) puts(\"ab\"); }");
+  const sandbox::Outcome outcome = program.run();
+  EXPECT_TRUE(outcome.good());
+  EXPECT_EQ(outcome.output.size(), mild().output_bytes);
+}
+
+TEST(Sandbox, EnvironmentAndDescriptorsAreCleared) {
+  setenv("SECRET_OF_THE_JUDGE", "1", 1);
+  HostileProgram program(R"(
+#include <fcntl.h>
+#include <stdio.h>
+extern char** environ;
+int main() {
+  for (char** e = environ; *e; ++e) puts(*e);
+  for (int i = 3; i < 100; ++i) if (fcntl(i, F_GETFD) >= 0) printf("open: %d\n", i);
+})");
+  const std::string output = program.run().output;
+  unsetenv("SECRET_OF_THE_JUDGE");
+  EXPECT_EQ(output.find("SECRET"), output.npos) << output;
+  EXPECT_EQ(output.find("open:"), output.npos) << output;
+}
+
+TEST(Sandbox, WhatCannotBeStartedIsAnError) {
+  sandbox::Sandbox box(std::filesystem::temp_directory_path(), {}, mild(), {});
+  EXPECT_THROW(box.run({"/no/such/program"}), Error);
+}
+
+}  // namespace
+}  // namespace scanlit::test
