@@ -29,7 +29,7 @@
 //  (11) image            image.h            a file
 //
 // Reflection models plug into (9) through reflection_model.h; how to write one is said at the top
-// of formula_model.h.
+// of formula_model.h. Other stages plug in through stages.h.
 //
 // Visibility comes first and shading after it, once per visible fragment: what is hidden is never
 // shaded. render.cpp runs (3) to (6) for chunks of clusters, one cluster after the other, and then

@@ -19,6 +19,7 @@
 #include "rasterizer/lighting.h"
 #include "rasterizer/reuse.h"
 #include "rasterizer/stage_timer.h"
+#include "rasterizer/stages.h"
 #include "rasterizer/tile.h"
 
 namespace scanlit {
@@ -243,6 +244,7 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
       settings.reuse ? state.last.until(scene, camera, settings, framebuffer) : Changes();
   state.last.forget();  // unless this frame ends as it should
   framebuffer.frame = 0;
+  if (settings.stages) return render_staged(scene, camera, settings, framebuffer);
   Frame frame{.scene = scene,
               .camera = camera,
               .settings = settings,

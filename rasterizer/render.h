@@ -14,6 +14,7 @@
 namespace scanlit {
 
 class FrameProbe;
+struct StageFunctions;
 
 /// How attributes are interpolated across a triangle: right, or linearly on the screen as the
 /// classical scanline hardware did, to show its error.
@@ -61,6 +62,7 @@ struct RenderSettings {
   bool reuse = false;  // Renderer: what has not changed since its last frame stands. Costs memory.
   std::function<void(double)> progress{};  // called with 0..1, from any thread, one call at a time
   FrameProbe* probe = nullptr;             // looks on while the frame is drawn: see frame_probe.h
+  const StageFunctions* stages = nullptr;  // others in place of the engine's own: see stages.h
 };
 
 /// What a frame's time is measured for, in order.
