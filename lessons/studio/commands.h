@@ -21,5 +21,8 @@ Command add_tradeoff_command(CLI::App& program);
 Command add_sheet_command(CLI::App& program);
 Command add_models_command(CLI::App& program);
 Command add_shapes_command(CLI::App& program);
+// Of the program, not of the library: they need what is made of it (lessons/assignments).
+Command add_assignment_command(CLI::App& program);
+Command add_check_command(CLI::App& program);
 
 }  // namespace scanlit::studio

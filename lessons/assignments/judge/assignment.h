@@ -4,6 +4,7 @@
 //   page.md         the task, in the student's hands README.md; {{words}} are filled in by the seed
 //   NAME.h          what the student's file includes: types, and the functions to write
 //   NAME.cpp        the solution; strip.h says how the starter is made from it
+//   variant.h       the variant as constants, for who likes to write code that asks
 //   main.cpp        serves the judge's questions by calling those functions: see answer/serve.h
 //   rubric.toml     points: see rubric.h
 //   wrong.toml      typical wrong solutions, what they score and what is said about them
@@ -44,7 +45,7 @@ struct Part {
   std::function<Finding(Examination&)> run;
 };
 
-/// What {{places}} in the page and in the student's files stand for.
+/// What {{places}} in the page and in variant.h stand for.
 using Words = std::map<std::string, std::string>;
 
 struct Assignment {
@@ -54,6 +55,8 @@ struct Assignment {
   std::string file;    // what the student writes: "scan_conversion.cpp"
   std::string header;  // and includes: "scan_conversion.h"
   std::function<Words(std::uint64_t seed)> words;
+  // For the page: file names, and pictures of which `fresh` is shown.
+  std::function<std::map<std::string, JudgedPicture>(std::uint64_t seed)> illustrations;
   std::vector<Part> parts;
 };
 

@@ -10,32 +10,31 @@ namespace scanlit::assignments {
 
 /// One test of the rubric.
 struct TestScore {
-  std::string id;    // "A1.2"
-  std::string name;  // "Fill rule"
+  std::string id{};    // "A1.2"
+  std::string name{};  // "Fill rule"
   double points = 0, max_points = 0;
-  bool hidden = false;  // a student sees name and points only
-  std::string message;  // UTF-8, several lines, the judge's own words; empty with full points
-  double seconds = 0;   // wall time; never compared
+  bool hidden = false;    // a student sees name and points only
+  std::string message{};  // UTF-8, several lines, the judge's own words; empty with full points
+  double seconds = 0;     // wall time; never compared
 };
 
 /// A picture that the judge drew, 8-bit sRGB codes, rgb, row 0 on top. All three are of one size.
 struct JudgedPicture {
-  std::string name;   // "A1.6-teapot": letters, digits, '.', '-'
-  std::string title;  // "The teapot, by your fragments"
+  std::string name{};   // "A1.6-teapot": letters, digits, '.', '-'
+  std::string title{};  // "The teapot, by your fragments"
   int width = 0, height = 0;
-  std::vector<std::uint8_t> fresh;      // by the student's stage
-  std::vector<std::uint8_t> reference;  // as it should be
-  std::vector<std::uint8_t> difference;
+  std::vector<std::uint8_t> fresh{};      // by the student's stage
+  std::vector<std::uint8_t> reference{};  // as it should be
+  std::vector<std::uint8_t> difference{};
 };
 
 struct Verdict {
-  std::string assignment;  // "A1"
-  std::uint64_t seed = 0;  // of the variant
-  std::vector<TestScore> tests;
-  std::string
-      build_log;  // the compiler's words: capped in length, but text that students can shape
+  std::string assignment{};  // "A1"
+  std::uint64_t seed = 0;    // of the variant
+  std::vector<TestScore> tests{};
+  std::string build_log{};  // the compiler's words: text that students can shape, of limited length
   bool built = false;
-  std::vector<JudgedPicture> pictures;
+  std::vector<JudgedPicture> pictures{};
 };
 
 double points(const Verdict& verdict);

@@ -2,44 +2,25 @@
 
 #include <fstream>
 
-#include "lessons/studio/pages/page.h"
+#include "lessons/studio/html.h"
 #include "lessons/studio/tradeoff/answer.h"
 #include "lessons/studio/tradeoff/study_scene.h"
-#include "lessons/studio/tradeoff/temporary_folder.h"
 #include "lessons/studio/tradeoff/tradeoff_panel.h"
 #include "lessons/studio/tradeoff/tradeoff_plot.h"
-#include "rasterizer/image.h"
 #include "rasterizer/vector_level.h"
 
 namespace scanlit::studio {
 namespace {
 
-std::string base64(const std::string& bytes) {
-  static constexpr char digits[] =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return k < bytes.size() ? unsigned(static_cast<unsigned char>(bytes[k])) : 0u;
-    };
-    const unsigned three = byte(i) << 16 | byte(i + 1) << 8 | byte(i + 2);
-    for (int k = 0; k < 4; ++k)
-      text += i + std::size_t(k) <= bytes.size() ? digits[three >> (18 - 6 * k) & 63] : '=';
-  }
-  return text;
-}
-
 /// The picture as a PNG file within the page.
-std::string url_of(const ExactPicture& picture, const TemporaryFolder& folder) {
+std::string url_of(const ExactPicture& picture) {
   Framebuffer framebuffer(picture.width, picture.height);
   for (std::size_t i = 0; i < picture.pixel_count(); ++i) {
     const Rgb<double>& c = picture.colour[i];
     float* const pixel = &framebuffer.colour[4 * i];
     pixel[0] = float(c.r), pixel[1] = float(c.g), pixel[2] = float(c.b), pixel[3] = 1;
   }
-  const std::string name = folder.file("picture.png");
-  write_image(name, framebuffer);
-  return "data:image/png;base64," + base64(read_text(name));
+  return png_url(framebuffer);
 }
 
 constexpr const char* head = R"(<!DOCTYPE html>
@@ -97,7 +78,6 @@ std::string machine() {
 }
 
 std::string tradeoff_page(const std::vector<AxisResult>& axes) {
-  const TemporaryFolder folder;
   std::string page = std::string(head) + "<h1>Run time over error</h1>\n";
   for (const AxisResult& axis : axes)
     if (const auto found = answer(axis))
@@ -108,7 +88,7 @@ std::string tradeoff_page(const std::vector<AxisResult>& axes) {
     page += "<h2>" + axis.title + "</h2>\n<div class=\"pictures\">\n";
     for (std::size_t i = 0; i < axis.points.size(); ++i)
       page += "<figure id=\"" + point_name(axis, i) + "\"><img loading=\"lazy\" alt=\"\" src=\"" +
-              url_of(axis.points[i].picture, folder) + "\"><figcaption>" + caption(axis.points[i]) +
+              url_of(axis.points[i].picture) + "\"><figcaption>" + caption(axis.points[i]) +
               "</figcaption></figure>\n";
     page += "</div>\n";
   }

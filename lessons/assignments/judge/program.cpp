@@ -1,0 +1,158 @@
+#include "lessons/assignments/judge/program.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstring>
+#include <fstream>
+
+#include "lessons/assignments/answer/protocol.h"
+#include "rasterizer/error.h"
+
+namespace scanlit::assignments {
+
+namespace fs = std::filesystem;
+using answer::MessageHead;
+
+namespace {
+
+constexpr const char* program_name = "answers";
+
+/// The submission's file. What is not a regular file of reasonable size is not read at all: a link
+/// may lead anywhere, a pipe may keep a reader waiting for ever.
+std::string read_submitted(const fs::path& file, std::string& complaint) {
+  constexpr off_t largest = 1 << 20;
+  const int descriptor = open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  const std::string name = file.filename().string();
+  struct stat status {};
+  if (descriptor < 0 || fstat(descriptor, &status) != 0) {
+    complaint = errno == ELOOP ? name + " is a link" : "there is no file " + name;
+    if (descriptor >= 0) close(descriptor);
+    return {};
+  }
+  if (!S_ISREG(status.st_mode)) complaint = name + " is no regular file";
+  if (status.st_size > largest) complaint = name + " is larger than 1 MiB";
+  std::string text;
+  char buffer[4096];
+  for (ssize_t count; complaint.empty() && off_t(text.size()) <= largest &&
+                      (count = read(descriptor, buffer, sizeof buffer)) > 0;)
+    text.append(buffer, std::size_t(count));
+  close(descriptor);
+  return text;
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream stream(file, std::ios::binary);
+  if (!(stream << text).flush()) throw Error(file.string(), "cannot be written");
+}
+
+std::string compiler() {
+  for (const char* path : {"/usr/bin/c++", "/usr/bin/g++", "/usr/bin/clang++"})
+    if (access(path, X_OK) == 0) return path;
+  throw Error("no C++ compiler is installed: there is no /usr/bin/c++");
+}
+
+}  // namespace
+
+const std::vector<std::string>& compiler_flags() {
+  static const std::vector<std::string> flags{
+      "-std=c++20",      "-O2",   "-march=x86-64-v2", "-ffp-contract=off",
+      "-fno-math-errno", "-Wall", "-Wextra",          "-Wno-unused-parameter"};
+  return flags;
+}
+
+Build build(const Assignment& assignment, std::uint64_t seed, const fs::path& submission,
+            sandbox::Sandbox& sandbox) {
+  Build result;
+  const std::string text = read_submitted(submission / assignment.file, result.message);
+  if (!result.message.empty()) return result;
+  const fs::path folder = sandbox.scratch();
+  for (const Made& made : support_files(assignment, seed))
+    write_file(folder / made.name, made.text);
+  write_file(folder / assignment.file, text);
+
+  std::vector<std::string> argv{compiler()};
+  argv.insert(argv.end(), compiler_flags().begin(), compiler_flags().end());
+  for (const std::string& word : {std::string("-I."), assignment.file, std::string("main.cpp"),
+                                  std::string("-o"), std::string(program_name)})
+    argv.push_back(word);
+  const sandbox::Outcome outcome = sandbox.run(argv);
+  result.log = outcome.output;
+  result.good = outcome.good() && fs::is_regular_file(fs::symlink_status(folder / program_name));
+  if (!result.good)
+    result.message = outcome.end == sandbox::Outcome::End::exited
+                         ? assignment.file + " does not compile; the compiler's words are below"
+                         : "compiling " + assignment.file + ": the compiler " +
+                               describe(outcome, sandbox.limits());
+  return result;
+}
+
+// ------------------------------------------------------------------------------- the conversation
+
+void ProgramRespondent::send(int kind, const Numbers& numbers) {
+  const MessageHead head{answer::message_magic, kind, sequence_,
+                         std::uint32_t(numbers.integers.size()),
+                         std::uint32_t(numbers.reals.size())};
+  std::vector<std::byte> bytes(sizeof head + 8 * (numbers.integers.size() + numbers.reals.size()));
+  std::byte* const integers = bytes.data() + sizeof head;
+  std::memcpy(bytes.data(), &head, sizeof head);
+  std::memcpy(integers, numbers.integers.data(), 8 * numbers.integers.size());
+  std::memcpy(integers + 8 * numbers.integers.size(), numbers.reals.data(),
+              8 * numbers.reals.size());
+  conversation_->send(bytes);
+}
+
+Numbers ProgramRespondent::receive(int& kind, const AnswerSize& size) {
+  MessageHead head{};
+  conversation_->receive(std::as_writable_bytes(std::span(&head, 1)));
+  if (head.magic != answer::message_magic || head.sequence != sequence_)
+    throw Unanswered("what came back is not an answer to what was asked");
+  const bool counter = head.kind == (head.kind | answer::counter_question);
+  if (!counter && head.kind != kind)
+    throw Unanswered("what came back is not an answer to what was asked");
+  kind = head.kind;
+  const auto check = [](const char* what, std::size_t count, std::size_t least, std::size_t most) {
+    if (count < least || count > most)
+      throw Unanswered("the answer holds " + std::to_string(count) + " " + what +
+                       " where at most " + std::to_string(most) + " make sense");
+  };
+  constexpr std::size_t most_asked = 1 << 16;
+  check("whole numbers", head.integers, counter ? 0 : size.least_integers,
+        counter ? most_asked : size.most_integers);
+  check("real numbers", head.reals, counter ? 0 : size.least_reals,
+        counter ? most_asked : size.most_reals);
+  Numbers numbers;
+  numbers.integers.resize(head.integers), numbers.reals.resize(head.reals);
+  conversation_->receive(std::as_writable_bytes(std::span(numbers.integers)));
+  conversation_->receive(std::as_writable_bytes(std::span(numbers.reals)));
+  for (const double real : numbers.reals)
+    if (!std::isfinite(real))
+      throw Unanswered(std::isnan(real) ? "the answer holds NaN: somewhere 0 is divided by 0, or a "
+                                          "root is taken of a negative number"
+                                        : "the answer holds infinity: somewhere is divided by 0");
+  return numbers;
+}
+
+Numbers ProgramRespondent::ask(int kind, const Numbers& question, const AnswerSize& size,
+                               const Counsel& counsel) {
+  try {
+    if (!conversation_)
+      conversation_.emplace(sandbox_.start({(sandbox_.scratch() / program_name).string()}));
+    ++sequence_;
+    send(kind, question);
+    for (;;) {
+      int answered = kind;
+      Numbers numbers = receive(answered, size);
+      if (answered == kind) return numbers;
+      if (!counsel) throw Unanswered("your program asked something back where nothing is to ask");
+      send(answered, counsel(answered - answer::counter_question, numbers));
+    }
+  } catch (const sandbox::NoAnswer& error) {
+    throw Unanswered(std::string("your program ") + error.what());
+  }
+}
+
+}  // namespace scanlit::assignments

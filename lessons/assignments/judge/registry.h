@@ -1,0 +1,10 @@
+// Every assignment, one line each, in order; assignments.cpp calls them.
+#pragma once
+
+#include "lessons/assignments/judge/assignment.h"
+
+namespace scanlit::assignments {
+
+Assignment a1_scan_conversion();
+
+}  // namespace scanlit::assignments

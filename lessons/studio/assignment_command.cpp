@@ -1,0 +1,55 @@
+// scanlit assignment
+#include <iostream>
+#include <memory>
+
+#include "lessons/assignments/judge/handout.h"
+#include "lessons/studio/commands.h"
+#include "lessons/studio/program.h"
+#include "lessons/studio/table.h"
+#include "lessons/studio/text.h"
+
+namespace scanlit::studio {
+namespace {
+
+struct NewOptions {
+  std::string id, folder, seed = "1";
+};
+
+void hand_out_new(const NewOptions& options) {
+  const auto& assignment = assignments::assignment(options.id);
+  const int seed = parse_integer("--seed", options.seed, {0, 2147483647});
+  const HoldInterrupts until_written;
+  assignments::hand_out(assignment, std::uint64_t(seed), options.folder);
+  std::cout << options.folder << ": " << assignment.id << ", " << assignment.title << ", variant "
+            << seed << "; read README.md, complete " << assignment.file << ", run scanlit check "
+            << options.folder << '\n';
+}
+
+void list() {
+  std::vector<std::vector<std::string>> rows;
+  for (const auto& assignment : assignments::assignments())
+    rows.push_back({assignment.id, assignment.title});
+  print_columns(std::cout, rows, "  ");
+}
+
+}  // namespace
+
+Command add_assignment_command(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("assignment", "Hands out a course assignment");
+  app->footer(
+      "Examples:\n"
+      "  scanlit assignment list\n"
+      "  scanlit assignment new A1 my-a1 --seed 7\n"
+      "\n"
+      "The seed draws the assignment's variant: all of a course get the same, each year another.");
+  app->require_subcommand(1);
+  CLI::App* all = app->add_subcommand("list", "Lists the assignments");
+  CLI::App* fresh = app->add_subcommand("new", "Makes a student's folder");
+  const auto options = std::make_shared<NewOptions>();
+  fresh->add_option("ASSIGNMENT", options->id, "such as A1")->required();
+  fresh->add_option("DIR", options->folder, "a new or empty folder")->required();
+  fresh->add_option("--seed", options->seed, "draws the variant (1)")->type_name("N");
+  return {app, [=] { all->parsed() ? list() : hand_out_new(*options); }};
+}
+
+}  // namespace scanlit::studio
