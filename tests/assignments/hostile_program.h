@@ -1,8 +1,9 @@
-// Tiny programs as a student may hand them in, compiled by the sandboxed compiler.
+// Tiny programs as a student may hand them in, compiled by the sandboxed compiler, and run behind
+// the layers that a test asks for.
 #pragma once
 
-#include <filesystem>
 #include <string>
+#include <vector>
 
 #include "lessons/assignments/sandbox/sandbox.h"
 
@@ -11,11 +12,18 @@ namespace scanlit::test {
 /// Mild enough for a machine that others use, too.
 inline sandbox::Limits mild() {
   return {.cpu_seconds = 1,
-          .wall_seconds = 2,
+          .wall_seconds = 60,
           .memory_bytes = 256 << 20,
           .output_bytes = 1 << 20,
           .file_bytes = 4 << 20,
-          .processes = 24};
+          .processes = 12};
+}
+
+/// For programs that wait.
+inline sandbox::Limits impatient() {
+  sandbox::Limits limits = mild();
+  limits.wall_seconds = 1;
+  return limits;
 }
 
 /// Limits that GCC needs for a small file.
@@ -28,22 +36,37 @@ inline sandbox::Limits for_compiler() {
           .processes = 16};
 }
 
-/// A sandbox with one source file, in C++ without the standard library's headers, and its program.
+/// Whether SCANLIT_LONG is in the environment, as tests/run --long has it.
+bool thorough();
+
+/// Combinations of layers that this machine can show, from the least to all: some of them, or
+/// one with each.
+std::vector<sandbox::Layers> shown_layers();
+
+/// Compiles one file, in the sandbox given, to `program` there.
+sandbox::Outcome compile(sandbox::Sandbox& box, const std::string& source);
+
+/// A sandbox with the program of `source` in it. It is compiled once for all layers.
 class HostileProgram {
  public:
   explicit HostileProgram(const std::string& source,
                           const sandbox::Layers& layers = sandbox::available());
 
-  const sandbox::Outcome& build() const { return build_; }
   sandbox::Sandbox& box() { return box_; }
   std::filesystem::path program() const { return box_.scratch() / "program"; }
 
+  /// As a compiler runs: it may write in its folder.
   sandbox::Outcome run(const sandbox::Limits& limits = mild());
+  /// As an answer runs.
   sandbox::Conversation start(const sandbox::Limits& limits = mild());
+  /// As an answer that is asked one number, until it has answered wrongly or not: how it ended.
+  sandbox::Outcome answer(const sandbox::Limits& limits = mild());
 
  private:
+  /// Of a user of its own, whatever it tried.
+  void expect_nothing_left() const;
+
   sandbox::Sandbox box_;
-  sandbox::Outcome build_;
 };
 
 }  // namespace scanlit::test

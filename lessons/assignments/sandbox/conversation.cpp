@@ -14,11 +14,11 @@ Conversation::Conversation(Conversation&&) noexcept = default;
 Conversation::~Conversation() = default;
 
 void Conversation::send(std::span<const std::byte> question) {
-  if (!process_->write(question, process_->deadline())) give_up(!process_->late);
+  if (!process_->write(question, process_->deadline())) give_up(!process_->late && !process_->loud);
 }
 
 void Conversation::receive(std::span<std::byte> answer) {
-  if (!process_->read(answer, process_->deadline())) give_up(!process_->late);
+  if (!process_->read(answer, process_->deadline())) give_up(!process_->late && !process_->loud);
 }
 
 void Conversation::give_up(bool in_time) {
@@ -47,6 +47,7 @@ std::string describe(const Outcome& outcome, const Limits& limits) {
       const char* name = sigabbrev_np(outcome.code);
       return "crashed (" + (name ? "SIG" + std::string(name) : std::to_string(outcome.code)) + ")";
     }
+    case Outcome::End::too_much_output: return "printed without end";
     case Outcome::End::exited: break;
   }
   return "ended by itself, with exit status " + std::to_string(outcome.code);

@@ -1,19 +1,23 @@
 #include "lessons/assignments/sandbox/launch.h"
 
 #include <fcntl.h>
-#include <grp.h>
+#include <linux/seccomp.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstring>
 #include <system_error>
+
+#include "lessons/assignments/sandbox/landlock.h"
 
 namespace scanlit::sandbox {
 
@@ -39,11 +43,13 @@ struct Failure {
 
 class Child {
  public:
-  Child(const Launch& what, int failure) : launch_(what), failure_(failure) {}
+  Child(const Launch& what, int failure, int filter)
+      : launch_(what), failure_(failure), filter_(filter), landlock_(what.landlock) {}
 
   [[noreturn]] void become(char* const* argv, char* const* environment) {
     const pid_t judge = getppid();
     try_to("setsid", setsid());
+    for (const int door : launch_.cgroup_doors) try_to("cgroup", write(door, "0", 1));
     place_descriptors();
     set_limits();
     if (launch_.user != 0) change_user();
@@ -52,8 +58,8 @@ class Child {
     try_to("prctl", prctl(PR_SET_PDEATHSIG, SIGKILL));
     if (getppid() != judge) _exit(127);
     try_to("chdir", chdir(launch_.folder.c_str()));
-    try_to("prctl", prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
     reset_signals();
+    if (!launch_.bubblewrap) drop_rights();
     execve(argv[0], argv, environment);
     give_up("exec");
   }
@@ -75,30 +81,33 @@ class Child {
     const int null = int(try_to("open", open("/dev/null", O_RDONLY | O_CLOEXEC)));
     const bool asked = launch_.questions >= 0;
     std::array from{asked ? launch_.questions : null, asked ? launch_.answers : launch_.output,
-                    launch_.output};
-    for (int& descriptor : from) descriptor = int(try_to("dup", fcntl(descriptor, F_DUPFD, above)));
-    failure_ = int(try_to("dup", fcntl(failure_, F_DUPFD, above)));
-    for (std::size_t place = 0; place < from.size(); ++place)
-      try_to("dup", dup2(from[place], int(place)));
-    const int first = int(from.size());
+                    launch_.output, filter_};
+    for (int* descriptor : {&from[0], &from[1], &from[2], &from[3], &failure_, &landlock_})
+      if (*descriptor >= 0) *descriptor = int(try_to("dup", fcntl(*descriptor, F_DUPFD, above)));
+    int first = 0;
+    for (; first < int(from.size()) && from[std::size_t(first)] >= 0; ++first)
+      try_to("dup", dup2(from[std::size_t(first)], first));
     if (close_range(unsigned(first), ~0U, CLOSE_RANGE_CLOEXEC) == 0) return;
     constexpr int most = 65536;  // Linux before 5.11
     for (int descriptor = first; descriptor < most; ++descriptor)
       fcntl(descriptor, F_SETFD, FD_CLOEXEC);
   }
 
-  void limit(__rlimit_resource resource, rlim_t most) {
+  void limit(__rlimit_resource resource, rlim_t most) { limit(resource, most, most); }
+  void limit(__rlimit_resource resource, rlim_t soft, rlim_t hard) {
     rlimit now;
     try_to("getrlimit", getrlimit(resource, &now));
-    if (now.rlim_max < most) most = now.rlim_max;  // no right to raise it
-    const rlimit wanted{most, most};
+    hard = std::min(now.rlim_max, hard);  // no right to raise it
+    const rlimit wanted{std::min(soft, hard), hard};
     try_to("setrlimit", setrlimit(resource, &wanted));
   }
 
   void set_limits() {
     const Limits& limits = launch_.limits;
     constexpr rlim_t stack = 8 << 20, files = 64;
-    limit(RLIMIT_CPU, rlim_t(std::ceil(limits.cpu_seconds)));
+    // SIGXCPU says what it was; a second later comes what no program can ignore.
+    const rlim_t seconds = rlim_t(std::ceil(limits.cpu_seconds));
+    limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_AS, limits.memory_bytes);
     limit(RLIMIT_FSIZE, limits.file_bytes);
     limit(RLIMIT_STACK, stack);  // so that too deep a recursion fails at the same depth everywhere
@@ -117,6 +126,15 @@ class Child {
     try_to("setresuid", syscall(SYS_setresuid, user, user, user));
   }
 
+  void drop_rights() {
+    try_to("no_new_privs", prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0));
+    if (landlock_ >= 0) try_to("Landlock", landlock_restrict(landlock_));
+    if (!launch_.filter) return;
+    sock_fprog program{static_cast<unsigned short>(launch_.filter->size()),
+                       const_cast<sock_filter*>(launch_.filter->data())};
+    try_to("seccomp", prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program));
+  }
+
   static void reset_signals() {
     for (int number = 1; number < NSIG; ++number) std::signal(number, SIG_DFL);
     sigset_t none;
@@ -125,8 +143,17 @@ class Child {
   }
 
   const Launch& launch_;
-  int failure_;
+  int failure_, filter_, landlock_;
 };
+
+/// A file in memory, for bwrap to read.
+Descriptor file_of(const std::vector<sock_filter>& filter) {
+  Descriptor file(memfd_create("filter", MFD_CLOEXEC));
+  const std::size_t size = filter.size() * sizeof(sock_filter);
+  if (pwrite(file.number(), filter.data(), size, 0) != ssize_t(size))
+    throw Error("memfd_create", std::generic_category().message(errno));
+  return file;
+}
 
 std::vector<char*> pointers(const std::vector<std::string>& texts) {
   std::vector<char*> result;
@@ -140,9 +167,12 @@ std::vector<char*> pointers(const std::vector<std::string>& texts) {
 pid_t launch(const Launch& launch) {
   Pipe failures = make_pipe();
   const std::vector<char*> argv = pointers(launch.argv), environment = pointers(launch.environment);
+  const Descriptor filter =
+      launch.bubblewrap && launch.filter ? file_of(*launch.filter) : Descriptor();
   const pid_t child = fork();
   if (child < 0) throw Error("fork", std::generic_category().message(errno));
-  if (child == 0) Child(launch, failures.write.number()).become(argv.data(), environment.data());
+  if (child == 0)
+    Child(launch, failures.write.number(), filter.number()).become(argv.data(), environment.data());
   failures.write.close();
   Failure failure{};
   ssize_t size;

@@ -2,6 +2,7 @@
 // takes over.
 #pragma once
 
+#include <linux/filter.h>
 #include <sys/types.h>
 
 #include <string>
@@ -44,7 +45,14 @@ struct Launch {
   int processes = -1;  // of the user; -1 where they are not counted apart
   uid_t user = 0;      // 0: the judge's own
   int output = -1, questions = -1, answers = -1;
+  std::vector<int> cgroup_doors;
+  int landlock = -1;                                 // rules
+  const std::vector<sock_filter>* filter = nullptr;  // of system calls
+  bool bubblewrap = false;  // argv is behind bwrap, which drops rights by itself
 };
+
+/// Where bwrap finds the filter of system calls.
+constexpr int filter_descriptor = 3;
 
 /// Throws Error with `argv[0]` where it cannot be started.
 pid_t launch(const Launch& launch);

@@ -39,7 +39,8 @@ double seconds(const timeval& time) { return double(time.tv_sec) + 1e-6 * double
 
 }  // namespace
 
-RunningProcess::RunningProcess(Launch what, bool conversation) : launch(std::move(what)) {
+RunningProcess::RunningProcess(Launch what, bool conversation, std::function<void()> kill_user)
+    : launch(std::move(what)), kill_user_(std::move(kill_user)) {
   Pipe printed = make_pipe(), asked, answered;
   launch.output = printed.write.number();
   if (conversation) {
@@ -65,7 +66,11 @@ void RunningProcess::keep_output() {
   const ssize_t size = ::read(output.number(), buffer.data(), buffer.size());
   if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) output.close();
   const std::size_t room = launch.limits.output_bytes - outcome.output.size();
-  if (size > 0) outcome.output.append(buffer.data(), std::min(room, std::size_t(size)));
+  if (size <= 0) return;
+  outcome.output.append(buffer.data(), std::min(room, std::size_t(size)));
+  constexpr std::uint64_t patience = 16;  // an honest student's traces are dropped, not punished
+  printed_ += std::uint64_t(size);
+  loud = printed_ > patience * launch.limits.output_bytes;
 }
 
 bool RunningProcess::has_ended() {
@@ -90,8 +95,8 @@ bool RunningProcess::ready(int descriptor, short event, Clock::time_point deadli
 }
 
 bool RunningProcess::wait(Clock::time_point deadline) {
-  while (!has_ended() && !late) ready(-1, 0, deadline);
-  return !late;
+  while (!has_ended() && !given_up()) ready(-1, 0, deadline);
+  return !given_up();
 }
 
 bool RunningProcess::write(std::span<const std::byte> bytes, Clock::time_point deadline) {
@@ -99,7 +104,7 @@ bool RunningProcess::write(std::span<const std::byte> bytes, Clock::time_point d
     const ssize_t size = write_quietly(questions.number(), bytes);
     if (size > 0) bytes = bytes.subspan(std::size_t(size));
     if (size < 0 && errno != EAGAIN && errno != EINTR) return false;
-    if (size < 0 && !ready(questions.number(), POLLOUT, deadline) && (late || has_ended()))
+    if (size < 0 && !ready(questions.number(), POLLOUT, deadline) && (given_up() || has_ended()))
       return false;
   }
   return true;
@@ -112,21 +117,20 @@ bool RunningProcess::read(std::span<std::byte> bytes, Clock::time_point deadline
     if (size > 0) bytes = bytes.subspan(std::size_t(size));
     if (size == 0 || (size < 0 && errno != EAGAIN && errno != EINTR)) return false;
     if (size < 0 && was_over) return false;
-    if (size < 0 && !ready(answers.number(), POLLIN, deadline) && late) return false;
+    if (size < 0 && !ready(answers.number(), POLLIN, deadline) && given_up()) return false;
   }
   return true;
 }
 
-void RunningProcess::kill_all() const { kill(-pid, SIGKILL); }
-
 void RunningProcess::end() {
   if (over_ || pid < 0) return;
   over_ = true;
-  kill_all();
+  kill(-pid, SIGKILL);
   int status = 0;
   rusage used{};
   while (wait4(pid, &status, 0, &used) < 0 && errno == EINTR) {
   }
+  if (kill_user_) kill_user_();
   while (output) {  // what was printed before, at most what a pipe holds
     std::array<pollfd, 1> pipe{pollfd{output.number(), POLLIN, 0}};
     if (poll(pipe.data(), 1, 0) <= 0) break;
@@ -136,12 +140,15 @@ void RunningProcess::end() {
   outcome.cpu_seconds = seconds(used.ru_utime) + seconds(used.ru_stime);
   outcome.end = WIFSIGNALED(status) ? End::killed : End::exited;
   outcome.code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
-  // The kernel ends a process in the clock tick after its limit; who used that much and did not end
-  // well was ended so, or, a compiler's driver, lost a child so.
-  constexpr double tick = 0.02;
-  const bool used_up = outcome.cpu_seconds >= std::ceil(launch.limits.cpu_seconds) - tick;
+  constexpr int killed_inside = 128;  // as bwrap says that a signal has killed the program
+  if (launch.bubblewrap && outcome.end == End::exited && outcome.code > killed_inside) {
+    outcome.end = End::killed;
+    outcome.code -= killed_inside;
+  }
+  // A compiler's driver, which loses a child so, says it in its output.
+  if (outcome.end == End::killed && outcome.code == SIGXCPU) outcome.end = End::out_of_cpu_time;
   if (late) outcome.end = End::out_of_wall_time;
-  if (!outcome.good() && used_up) outcome.end = End::out_of_cpu_time;
+  if (loud) outcome.end = End::too_much_output;
 }
 
 }  // namespace scanlit::sandbox

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 
 #include "lessons/assignments/sandbox/launch.h"
 
@@ -10,8 +11,9 @@ namespace scanlit::sandbox {
 struct RunningProcess {
   using Clock = std::chrono::steady_clock;
 
-  /// Starts it. `questions` and `answers` stay empty unless it is a conversation.
-  RunningProcess(Launch what, bool conversation);
+  /// Starts it. `questions` and `answers` stay empty unless it is a conversation. `kill_user` ends
+  /// what has left the program's session.
+  RunningProcess(Launch what, bool conversation, std::function<void()> kill_user);
   ~RunningProcess() { end(); }
   RunningProcess(const RunningProcess&) = delete;
 
@@ -31,6 +33,7 @@ struct RunningProcess {
   Descriptor output, questions, answers;  // the judge's ends
   pid_t pid = -1;
   bool late = false;  // a deadline was over
+  bool loud = false;  // it printed far more than is kept
   Outcome outcome;
 
  private:
@@ -38,11 +41,13 @@ struct RunningProcess {
   /// program prints meanwhile.
   bool ready(int descriptor, short event, Clock::time_point deadline);
   void keep_output();
+  bool given_up() const { return late || loud; }
   bool has_ended();
-  void kill_all() const;
 
+  std::function<void()> kill_user_;
   bool ended_ = false;  // and not reaped
   bool over_ = false;   // reaped
+  std::uint64_t printed_ = 0;
 };
 
 }  // namespace scanlit::sandbox

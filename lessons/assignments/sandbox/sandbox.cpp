@@ -6,7 +6,12 @@
 #include <cstdlib>
 #include <cstring>
 
+#include "lessons/assignments/sandbox/bubblewrap.h"
+#include "lessons/assignments/sandbox/cgroup.h"
+#include "lessons/assignments/sandbox/landlock.h"
 #include "lessons/assignments/sandbox/running_process.h"
+#include "lessons/assignments/sandbox/seccomp_filter.h"
+#include "lessons/assignments/sandbox/user.h"
 
 namespace scanlit::sandbox {
 namespace fs = std::filesystem;
@@ -16,9 +21,15 @@ struct Sandbox::State {
   std::vector<fs::path> readable;
   Limits limits;
   Layers layers;
+  std::unique_ptr<UserLease> user;
+  // Of the program that was started last.
+  std::unique_ptr<Cgroup> cgroup;
+  Descriptor landlock;
   bool sealed = false;
 
-  Launch prepare(const std::vector<std::string>& argv) const;
+  std::unique_ptr<RunningProcess> start(const std::vector<std::string>& argv, bool conversation);
+  Launch prepare(const std::vector<std::string>& argv);
+  void give(const fs::path& path) const;
   void seal();
 };
 
@@ -26,9 +37,9 @@ namespace {
 
 /// What programs see of the judge's environment: nothing. The compiler's __DATE__ and __TIME__ are
 /// the same in every run.
-std::vector<std::string> environment(const fs::path& scratch) {
+std::vector<std::string> environment(const fs::path& scratch, const fs::path& temporary) {
   return {"PATH=/usr/local/bin:/usr/bin:/bin", "LC_ALL=C.UTF-8", "SOURCE_DATE_EPOCH=0",
-          "HOME=" + scratch.string(), "TMPDIR=" + scratch.string()};
+          "HOME=" + scratch.string(), "TMPDIR=" + temporary.string()};
 }
 
 /// A name that nobody can guess, passable for programs, not listable.
@@ -41,30 +52,83 @@ fs::path make_folder(const fs::path& parent) {
 
 }  // namespace
 
-Launch Sandbox::State::prepare(const std::vector<std::string>& argv) const {
+/// One submission's scratch is the next one's secret: no rights for anybody else.
+void Sandbox::State::give(const fs::path& path) const {
+  const bool own = user && !sealed;
+  const uid_t owner = own ? user->user() : geteuid();
+  const gid_t group = user ? user->user() : getegid();
+  if (lchown(path.c_str(), owner, group) != 0) throw Error(path.string(), std::strerror(errno));
+  if (!fs::is_symlink(path)) chmod(path.c_str(), sealed && user ? 0750 : 0700);
+}
+
+/// What the compiler has written becomes the judge's; no kind of file but these two has a purpose.
+void Sandbox::State::seal() {
+  sealed = true;
+  give(scratch);
+  std::vector<fs::path> superfluous;
+  for (const auto& entry : fs::recursive_directory_iterator(scratch)) {
+    const fs::file_status status = entry.symlink_status();
+    if (fs::is_regular_file(status) || fs::is_directory(status))
+      give(entry.path());
+    else
+      superfluous.push_back(entry.path());
+  }
+  for (const fs::path& path : superfluous) fs::remove(path);
+}
+
+Launch Sandbox::State::prepare(const std::vector<std::string>& argv) {
   Launch launch;
   launch.argv = argv;
-  launch.environment = environment(scratch);
+  launch.environment = environment(scratch, layers.bubblewrap ? "/tmp" : scratch);
   launch.folder = scratch.string();
   launch.limits = limits;
+  if (user) {
+    launch.user = user->user();
+    launch.processes = limits.processes + (layers.bubblewrap ? bubblewrap_processes : 0);
+  }
+  if (layers.seccomp) launch.filter = &seccomp_filter(limits.processes > 1);
+  if (layers.cgroup_processes || layers.cgroup_memory) {
+    Limits together = limits;
+    if (layers.bubblewrap) together.processes += bubblewrap_processes;
+    cgroup = std::make_unique<Cgroup>(find_cgroup_place(), layers.cgroup_processes,
+                                      layers.cgroup_memory, together);
+    for (const Descriptor& door : cgroup->doors()) launch.cgroup_doors.push_back(door.number());
+  }
+  if (layers.bubblewrap) {
+    launch.bubblewrap = true;
+    launch.argv = bubblewrapped(argv, readable, scratch, !sealed, limits.file_bytes,
+                                launch.filter ? filter_descriptor : -1);
+  } else if (layers.landlock) {
+    std::vector<fs::path> seen = readable;
+    seen.push_back(scratch);
+    landlock = landlock_rules(seen, sealed ? fs::path() : scratch);
+    launch.landlock = landlock.number();
+  }
   return launch;
 }
 
-void Sandbox::State::seal() { sealed = true; }
+std::unique_ptr<RunningProcess> Sandbox::State::start(const std::vector<std::string>& argv,
+                                                      bool conversation) {
+  return std::make_unique<RunningProcess>(prepare(argv), conversation, [this] {
+    if (user) user->kill_all();
+  });
+}
 
 Sandbox::Sandbox(const fs::path& parent, std::vector<fs::path> readable, const Limits& limits,
                  const Layers& layers)
     : state_(std::make_unique<State>()) {
-  state_->folder = make_folder(fs::absolute(parent));
-  state_->scratch = state_->folder / "work";
-  fs::create_directory(state_->scratch);
-  fs::permissions(state_->scratch, fs::perms::owner_all);
   state_->readable = std::move(readable);
   state_->limits = limits;
   state_->layers = layers;
+  if (layers.uid) state_->user = std::make_unique<UserLease>();
+  state_->folder = make_folder(fs::absolute(parent));
+  state_->scratch = state_->folder / "work";
+  fs::create_directory(state_->scratch);
+  state_->give(state_->scratch);
 }
 
 Sandbox::~Sandbox() {
+  if (state_->user) state_->user->kill_all();
   std::error_code none;
   fs::remove_all(state_->folder, none);
 }
@@ -72,17 +136,20 @@ Sandbox::~Sandbox() {
 const fs::path& Sandbox::scratch() const { return state_->scratch; }
 Limits& Sandbox::limits() { return state_->limits; }
 const Layers& Sandbox::layers() const { return state_->layers; }
+unsigned Sandbox::user() const { return state_->user ? state_->user->user() : 0; }
 
 Outcome Sandbox::run(const std::vector<std::string>& argv) {
-  RunningProcess process(state_->prepare(argv), false);
-  process.wait(process.deadline());
-  process.end();
-  return process.outcome;
+  if (!state_->sealed)
+    for (const auto& entry : fs::directory_iterator(state_->scratch)) state_->give(entry.path());
+  const auto process = state_->start(argv, false);
+  process->wait(process->deadline());
+  process->end();
+  return process->outcome;
 }
 
 Conversation Sandbox::start(const std::vector<std::string>& argv) {
-  state_->seal();
-  return Conversation(std::make_unique<RunningProcess>(state_->prepare(argv), true));
+  if (!state_->sealed) state_->seal();
+  return Conversation(state_->start(argv, true));
 }
 
 }  // namespace scanlit::sandbox

@@ -21,18 +21,19 @@ struct Limits {
   double cpu_seconds = 10;                 // of processor time, each process
   double wall_seconds = 60;                // from its start, of a conversation: of one answer
   std::uint64_t memory_bytes = 512 << 20;  // each process; with cgroups all of them together
-  std::uint64_t output_bytes = 1 << 20;    // that are kept of what it prints; the rest is dropped
-  std::uint64_t file_bytes = 64 << 20;     // each file that it writes
-  int processes = 32;                      // at a time; held only where layers.uid or cgroup is
+  std::uint64_t output_bytes =
+      1 << 20;                          // that are kept of what it prints; 16 times as much ends it
+  std::uint64_t file_bytes = 64 << 20;  // each file that it writes
+  int processes = 32;                   // at a time; held only where layers.uid or cgroup is
 };
 
 /// How a program ended.
 struct Outcome {
-  enum class End { exited, killed, out_of_cpu_time, out_of_wall_time };
+  enum class End { exited, killed, out_of_cpu_time, out_of_wall_time, too_much_output };
   End end = End::exited;
   int code = 0;          // exit status, or the number of the signal that killed it
   std::string output;    // what it printed: anything at all, up to Limits::output_bytes
-  double cpu_seconds{};  // of all its processes
+  double cpu_seconds{};  // of all its processes; behind bubblewrap only of bwrap
 
   bool good() const { return end == End::exited && code == 0; }
 };
@@ -93,6 +94,7 @@ class Sandbox {
 
   Limits& limits();  // of the programs that are started next
   const Layers& layers() const;
+  unsigned user() const;  // of Layers::uid; 0 without
 
   /// Runs a program, such as a compiler, that may write in scratch(). `argv[0]` is an absolute
   /// path. Throws Error where it cannot be started.
