@@ -69,10 +69,10 @@ std::string escape_html(std::string_view text) {
   return escaped;
 }
 
-std::string png_url(const Framebuffer& framebuffer, const ImageOptions& options) {
+std::string png_url(const Framebuffer& framebuffer) {
   const TemporaryFolder folder;
   const std::string name = folder.file("picture.png");
-  write_image(name, framebuffer, options);
+  write_image(name, framebuffer);
   return "data:image/png;base64," + base64(read_text(name));
 }
 

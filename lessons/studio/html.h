@@ -14,6 +14,6 @@ namespace scanlit::studio {
 std::string escape_html(std::string_view text);
 
 /// A PNG file as a URL that holds it: what stands in an img's src.
-std::string png_url(const Framebuffer& framebuffer, const ImageOptions& options = {});
+std::string png_url(const Framebuffer& framebuffer);
 
 }  // namespace scanlit::studio

@@ -5,7 +5,7 @@
 #include "lessons/assignments/judge/dice.h"
 #include "rasterizer/scan_conversion.h"
 
-namespace scanlit::assignments {
+namespace scanlit::assignments::scan {
 
 using namespace a1;
 
@@ -93,4 +93,4 @@ int engine_row(const ScanVariant& variant, int row, int height) {
   return variant.y_up ? height - 1 - row : row;
 }
 
-}  // namespace scanlit::assignments
+}  // namespace scanlit::assignments::scan

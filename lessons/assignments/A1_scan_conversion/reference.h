@@ -6,7 +6,7 @@
 #include "lessons/assignments/A1_scan_conversion/scan_conversion.h"
 #include "rasterizer/stages.h"
 
-namespace scanlit::assignments {
+namespace scanlit::assignments::scan {
 
 struct ScanVariant {
   bool y_up, centres_at_integers, owns_left, owns_top;
@@ -32,4 +32,4 @@ std::vector<a1::Fragment> right_fragments(const ScanVariant& variant, const a1::
 a1::Triangle in_variant(const ScanVariant& variant, const ScreenTriangle& triangle, int height);
 int engine_row(const ScanVariant& variant, int row, int height);
 
-}  // namespace scanlit::assignments
+}  // namespace scanlit::assignments::scan

@@ -8,7 +8,8 @@
 //   main.cpp        serves the judge's questions by calling those functions: see answer/serve.h
 //   rubric.toml     points: see rubric.h
 //   wrong.toml      typical wrong solutions, what they score and what is said about them
-//   judge.cpp       `Assignment a4_shading()`: the variant, the parts, what is asked, the reference
+//   judge.cpp       `Assignment a4_shading()`: the variant, the parts
+//   reference.cpp   what is right, for every variant; parts*.cpp: what is asked and said
 // and one line in assignments.cpp.
 #pragma once
 

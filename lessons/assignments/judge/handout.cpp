@@ -8,6 +8,7 @@
 #include "lessons/assignments/judge/strip.h"
 #include "lessons/studio/pages/page.h"
 #include "rasterizer/error.h"
+#include "rasterizer/image.h"
 
 namespace scanlit::assignments {
 
@@ -67,7 +68,7 @@ void fill(const Assignment& assignment, std::uint64_t seed, const fs::path& fold
   write(folder, starter(assignment));
   for (const Made& made : support_files(assignment, seed)) write(folder, made);
   for (const auto& [name, picture] : assignment.illustrations(seed))
-    write_png(folder / name, picture.width, picture.height, picture.fresh);
+    write_image(folder / name, picture_of(picture.width, picture.height, picture.fresh));
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "rasterizer/image.h"
+#include "rasterizer/image/image_encoding.h"
 #include "rasterizer/reference/picture_error.h"
 
 namespace scanlit::assignments {
@@ -50,14 +50,14 @@ std::optional<PixelDifference> first_difference(const JudgedPicture& picture, in
   return first;
 }
 
-void write_png(const std::filesystem::path& file, int width, int height,
-               const std::vector<std::uint8_t>& rgb) {
+Framebuffer picture_of(int width, int height, const std::vector<std::uint8_t>& rgb) {
   Framebuffer framebuffer(width, height);
   for (std::size_t i = 0; i < framebuffer.pixel_count(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) framebuffer.colour[4 * i + c] = rgb[3 * i + c] / 255.0f;
+    for (std::size_t c = 0; c < 3; ++c)
+      framebuffer.colour[4 * i + c] = float(linear_from_srgb(rgb[3 * i + c] / 255.0));
     framebuffer.colour[4 * i + 3] = 1;
   }
-  write_image(file, framebuffer, {.encoding = Encoding::linear});
+  return framebuffer;
 }
 
 // ------------------------------------------------------------------------------------- characters

@@ -1,7 +1,6 @@
 // The judge's own pictures: from light to codes, what differs, and how a fault looks in characters.
 #pragma once
 
-#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,8 +25,8 @@ struct PixelDifference {
 };
 std::optional<PixelDifference> first_difference(const JudgedPicture& picture, int tolerance);
 
-void write_png(const std::filesystem::path& file, int width, int height,
-               const std::vector<std::uint8_t>& rgb);
+/// Linear light that has these sRGB codes, rgb.
+Framebuffer picture_of(int width, int height, const std::vector<std::uint8_t>& rgb);
 
 /// How often each pixel was covered, and how often it should have been.
 struct CoverageGrid {

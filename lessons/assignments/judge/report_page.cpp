@@ -1,3 +1,4 @@
+#include "lessons/assignments/judge/judged_picture.h"
 #include "lessons/assignments/judge/report.h"
 #include "lessons/studio/html.h"
 
@@ -21,8 +22,9 @@ pre { font: 13px/1.3 "DejaVu Sans Mono", Menlo, Consolas, monospace; margin: 6px
 button { font: inherit; padding: 3px 12px; border: 1px solid #888; background: #f4f4f4;
          border-radius: 4px; cursor: pointer; }
 button[aria-pressed=true] { background: #264b7d; color: #fff; border-color: #264b7d; }
-.view { position: relative; overflow: auto; max-height: 80vh; background: #777;
+.view { display: inline-block; overflow: auto; max-width: 100%; max-height: 80vh;
         border: 1px solid #888; }
+[hidden] { display: none !important; }
 .stack { position: relative; }
 .stack img { position: absolute; left: 0; top: 0; image-rendering: pixelated; display: block; }
 .stack .line { position: absolute; top: 0; bottom: 0; width: 2px; margin-left: -1px;
@@ -39,7 +41,7 @@ for (const box of document.querySelectorAll(".compare")) {
   const slider = box.querySelector("input[type=range]"), where = box.querySelector(".where");
   const buttons = [...box.querySelectorAll("button[data-show]")];
   const width = +box.dataset.width, height = +box.dataset.height;
-  let zoom = Math.max(1, Math.min(4, Math.floor(box.clientWidth / width))), shown = "slider";
+  let zoom = Math.max(1, Math.min(16, Math.floor(720 / width))), shown = "slider";
   const show = () => {
     for (const img of [fresh, reference, difference]) {
       img.style.width = width * zoom + "px";
@@ -77,13 +79,8 @@ for (const box of document.querySelectorAll(".compare")) {
 
 std::string image(const JudgedPicture& picture, const std::vector<std::uint8_t>& rgb,
                   const char* what) {
-  Framebuffer framebuffer(picture.width, picture.height);
-  for (std::size_t i = 0; i < framebuffer.pixel_count(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) framebuffer.colour[4 * i + c] = rgb[3 * i + c] / 255.0f;
-    framebuffer.colour[4 * i + 3] = 1;
-  }
   return std::string("<img alt=\"") + what + "\" draggable=\"false\" src=\"" +
-         studio::png_url(framebuffer, {.encoding = Encoding::linear}) + "\">";
+         studio::png_url(picture_of(picture.width, picture.height, rgb)) + "\">";
 }
 
 std::string compare(const JudgedPicture& picture) {
