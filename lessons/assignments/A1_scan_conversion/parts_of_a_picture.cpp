@@ -20,7 +20,7 @@ Scene teapot_scene() {
   teapot.mesh = std::make_shared<const Mesh>(make_shape("teapot:4"));
   teapot.material.model = models::make("blinn-phong:kd=.55/.35/.2,ks=.4,n=30").model;
   teapot.shading = Shading::gouraud;
-  teapot.sides = Sides::front;
+  teapot.sides = Sides::both;
   scene.lights.emplace_back().direction = {1, 2, 3};
   scene.background = {0.02, 0.03, 0.06};
   return scene;

@@ -6,5 +6,6 @@
 namespace scanlit::assignments {
 
 Assignment a1_scan_conversion();
+Assignment a4_shading();
 
 }  // namespace scanlit::assignments
