@@ -24,5 +24,6 @@ Command add_shapes_command(CLI::App& program);
 // Of the program, not of the library: they need what is made of it (lessons/assignments).
 Command add_assignment_command(CLI::App& program);
 Command add_check_command(CLI::App& program);
+Command add_grade_command(CLI::App& program);
 
 }  // namespace scanlit::studio

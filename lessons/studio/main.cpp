@@ -20,7 +20,7 @@ std::function<void()> set_up(CLI::App& app) {
       add_render_command(app),   add_frames_command(app),     add_sheet_command(app),
       add_reflect_command(app),  add_explain_command(app),    add_watch_command(app),
       add_tradeoff_command(app), add_assignment_command(app), add_check_command(app),
-      add_models_command(app),   add_shapes_command(app)};
+      add_grade_command(app),    add_models_command(app),     add_shapes_command(app)};
   return [commands] {
     for (const Command& command : commands)
       if (command.app->parsed()) return command.run();

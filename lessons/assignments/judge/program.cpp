@@ -150,6 +150,8 @@ Numbers ProgramRespondent::ask(int kind, const Numbers& question, const AnswerSi
       if (!counsel) throw Unanswered("your program asked something back where nothing is to ask");
       send(answered, counsel(answered - answer::counter_question, numbers));
     }
+  } catch (const sandbox::Silent& error) {
+    throw Unanswered(std::string("your program ") + error.what(), false);
   } catch (const sandbox::NoAnswer& error) {
     throw Unanswered(std::string("your program ") + error.what());
   }

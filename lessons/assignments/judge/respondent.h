@@ -20,7 +20,9 @@ struct Numbers {
 /// it was asked in scores 0.
 class Unanswered : public std::runtime_error {
  public:
-  using std::runtime_error::runtime_error;
+  explicit Unanswered(const std::string& what, bool in_time = true)
+      : std::runtime_error(what), answered_in_time(in_time) {}
+  bool answered_in_time;
 };
 
 /// How many numbers an answer may hold at most, and at least where both must be met.

@@ -47,6 +47,30 @@ RubricTest read_test(studio::TomlTable& table, const Assignment& assignment) {
   return test;
 }
 
+ManualPart read_manual(studio::TomlTable& table) {
+  const auto id = table.text("id");
+  const auto points = table.number("points", {0, 1000});
+  if (!id || !points) throw Error(table.where(), "what is marked by hand wants an id and points");
+  ManualPart part{*id, table.text("name").value_or(*id), *points};
+  table.refuse_unknown_keys();
+  return part;
+}
+
+LatePolicy read_late_policy(studio::TomlTable& table) {
+  constexpr studio::Range days{0, 365};
+  LatePolicy late;
+  late.free_days = table.integer("free_days", days).value_or(late.free_days);
+  late.share_per_day = table.number("share_per_day", {0, 1}).value_or(late.share_per_day);
+  late.most_days = table.integer("most_days", days).value_or(late.most_days);
+  table.refuse_unknown_keys();
+  return late;
+}
+
+bool has_id(const Rubric& rubric, const std::string& id) {
+  return std::ranges::find(rubric.tests, id, &RubricTest::id) != rubric.tests.end() ||
+         std::ranges::find(rubric.manual, id, &ManualPart::id) != rubric.manual.end();
+}
+
 }  // namespace
 
 Rubric read_rubric(const std::filesystem::path& file) {
@@ -60,10 +84,17 @@ Rubric read_rubric(const std::filesystem::path& file) {
   rubric.seed = seed_of(table, "seed");
   for (studio::TomlTable& each : table.tables("test")) {
     RubricTest test = read_test(each, of);
-    if (std::ranges::find(rubric.tests, test.id, &RubricTest::id) != rubric.tests.end())
+    if (has_id(rubric, test.id))
       throw Error(each.where("id"), "there is a test '" + test.id + "' already");
     rubric.tests.push_back(std::move(test));
   }
+  for (studio::TomlTable& each : table.tables("manual")) {
+    ManualPart part = read_manual(each);
+    if (has_id(rubric, part.id))
+      throw Error(each.where("id"), "there is a part '" + part.id + "' already");
+    rubric.manual.push_back(std::move(part));
+  }
+  if (auto late = table.table("late", "[late]")) rubric.late = read_late_policy(*late);
   table.refuse_unknown_keys();
   return rubric;
 }
@@ -75,7 +106,7 @@ void add_hidden_tests(const std::filesystem::path& folder, Rubric& rubric) {
   if (hidden.assignment != rubric.assignment)
     throw Error(file.string(), "it is for " + hidden.assignment + ", not " + rubric.assignment);
   for (RubricTest test : hidden.tests) {
-    if (std::ranges::find(rubric.tests, test.id, &RubricTest::id) != rubric.tests.end())
+    if (has_id(rubric, test.id))
       throw Error(file.string(), "there is a test '" + test.id + "' already");
     test.hidden = true;
     rubric.tests.push_back(std::move(test));

@@ -8,6 +8,14 @@
 //   name = "Fill rule"         # (the part's)
 //   points = 15
 //   questions = 3              # seed of what the student's code is asked (1)
+//   [[manual]]                 # what a person gives points for: see grade/marks.h
+//   id = "A1.style"
+//   name = "Readable code"
+//   points = 10
+//   [late]
+//   free_days = 1              # so late costs nothing (0)
+//   share_per_day = 0.1        # of all points is lost for each day more (0)
+//   most_days = 5              # later than that is 0 points (365)
 //
 // A folder of hidden tests holds a file of the same form for each assignment, A1.toml, whose tests
 // are added.
@@ -28,10 +36,23 @@ struct RubricTest {
   bool hidden = false;
 };
 
+struct ManualPart {
+  std::string id, name;
+  double points = 0;
+};
+
+struct LatePolicy {
+  int free_days = 0;
+  double share_per_day = 0;
+  int most_days = 365;
+};
+
 struct Rubric {
   std::string assignment;
   std::uint64_t seed = 1;
   std::vector<RubricTest> tests;
+  std::vector<ManualPart> manual{};
+  LatePolicy late{};
 };
 
 /// Throws Error, with file and line: not TOML, unknown assignment or part, an id given twice,

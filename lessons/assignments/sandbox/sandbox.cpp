@@ -3,6 +3,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 
@@ -42,15 +44,27 @@ std::vector<std::string> environment(const fs::path& scratch, const fs::path& te
           "HOME=" + scratch.string(), "TMPDIR=" + temporary.string()};
 }
 
-/// A name that nobody can guess, passable for programs, not listable.
+constexpr const char* prefix = "scanlit-box-";
+
+/// Says whose it is, and nobody can guess it. Passable for programs, not listable.
 fs::path make_folder(const fs::path& parent) {
-  std::string name = (parent / "scanlit-XXXXXX").string();
+  std::string name = (parent / (prefix + std::to_string(getpid()) + "-XXXXXX")).string();
   if (!mkdtemp(name.data())) throw Error(parent.string(), std::strerror(errno));
   chmod(name.c_str(), 0711);
   return name;
 }
 
 }  // namespace
+
+void remove_abandoned(const fs::path& parent) {
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(parent, none)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(prefix)) continue;
+    const pid_t judge = pid_t(std::atol(name.c_str() + std::strlen(prefix)));
+    if (judge > 0 && kill(judge, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), none);
+  }
+}
 
 /// One submission's scratch is the next one's secret: no rights for anybody else.
 void Sandbox::State::give(const fs::path& path) const {

@@ -42,6 +42,9 @@ struct Outcome {
 /// time": after "the program".
 std::string describe(const Outcome& outcome, const Limits& limits);
 
+/// Removes what the sandboxes of judges that were killed have left in `parent`.
+void remove_abandoned(const std::filesystem::path& parent);
+
 /// Thrown in place of an answer. The conversation is over and all its processes are dead.
 struct NoAnswer : Error {
   NoAnswer(Outcome how_it_ended, const Limits& limits)

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "lessons/studio/fingerprint.h"
 #include "lessons/studio/program.h"
 #include "rasterizer/error.h"
 #include "rasterizer/image.h"
@@ -16,24 +17,11 @@ namespace {
 
 constexpr const char* frame_prefix = "frame_";
 
-/// FNV-1a, 64 bits: to tell versions of a file apart, not to withstand anybody.
-std::string fingerprint(const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  std::uint64_t hash = 0xcbf29ce484222325;
-  std::vector<char> buffer(1 << 20);
-  while (stream.read(buffer.data(), std::streamsize(buffer.size())) || stream.gcount() > 0)
-    for (std::streamsize i = 0; i < stream.gcount(); ++i)
-      hash = (hash ^ static_cast<unsigned char>(buffer[std::size_t(i)])) * 0x100000001b3;
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
-
 /// Under the name by which the scene knows it: the job may go on from another folder or machine.
 void add_file(nlohmann::json& job, const std::filesystem::path& folder, std::string_view name) {
   std::error_code none;
   if (std::filesystem::is_regular_file(folder / name, none))
-    job["content of " + std::string(name)] = fingerprint(folder / name);
+    job["content of " + std::string(name)] = Fingerprint().add_file(folder / name).text();
 }
 
 /// Images and tables that a model's specification names, in whichever argument.
