@@ -1,5 +1,7 @@
 // What digits, powers, normals and divisions by w cost and bring, in the textbook renderer, with
-// the engine beside it. Against the reference, in double, of the same triangles.
+// the engine beside it; and what the engine saves where it may be off. Against the reference, in
+// double, of the same triangles.
+#include "lessons/studio/text.h"
 #include "lessons/studio/tradeoff/axes.h"
 #include "lessons/studio/tradeoff/by_hand.h"
 #include "lessons/studio/tradeoff/study_scene.h"
@@ -72,8 +74,20 @@ std::vector<Measured> sweep_perspective(const Progress& progress) {
       every(16, "every 16 pixels"),
       every(0, "affine"),
       engine_candidate(renderer, study, "the engine", "at every pixel"),
-      engine_candidate(renderer, study, "the engine", "affine", Interpolation::screen_linear)};
+      engine_candidate(renderer, study, "the engine", "affine",
+                       {.interpolation = Interpolation::screen_linear})};
   candidates[4].is_default = true;
+  return measure(candidates, reference_of(*study), progress);
+}
+
+std::vector<Measured> sweep_tolerance(const Progress& progress) {
+  const auto study = std::make_shared<StudyScene>(lights_scene());
+  const auto renderer = std::make_shared<Renderer>();
+  std::vector<Candidate> candidates;
+  for (const double steps : {0.0, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0})
+    candidates.push_back(engine_candidate(renderer, study, "the engine",
+                                          "tolerance " + text_of(steps), {.tolerance = steps}));
+  candidates[0].is_default = true;
   return measure(candidates, reference_of(*study), progress);
 }
 

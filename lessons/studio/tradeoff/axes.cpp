@@ -10,6 +10,7 @@ const std::vector<StudyAxis>& study_axes() {
       {"sphere", "Sphere: shading and tessellation", surface, 5, sweep_sphere},
       {"arithmetic", "Arithmetic, power and normals", in_double, 1, sweep_arithmetic},
       {"perspective", "Perspective on a wall of two triangles", in_double, 1, sweep_perspective},
+      {"tolerance", "A tolerance under 16 lights", in_double, 1, sweep_tolerance},
       {"fresnel", "Copper's Fresnel reflectance", "the spectrum, in double", 1.5, sweep_fresnel},
       {"tables", "A formula and tables of it", in_double, 1, sweep_tables}};
   return axes;

@@ -30,6 +30,8 @@ std::vector<Measured> sweep_sphere(const Progress&);
 std::vector<Measured> sweep_arithmetic(const Progress&);
 // Divisions by w: at every pixel, every 8, every 16, none.
 std::vector<Measured> sweep_perspective(const Progress&);
+// RenderSettings::tolerance, from 0 (all is evaluated) to 8 steps.
+std::vector<Measured> sweep_tolerance(const Progress&);
 // A metal's reflectance: spectral, at three wavelengths, fitted, by Schlick's formula.
 std::vector<Measured> sweep_fresnel(const Progress&);
 // A model and tables of it.

@@ -1,5 +1,7 @@
 #include "lessons/studio/tradeoff/study_scene.h"
 
+#include <cmath>
+#include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "lessons/studio/description.h"
@@ -41,12 +43,21 @@ StudyScene wall_scene() {
   return study;
 }
 
+StudyScene lights_scene() {
+  StudyScene study = study_scene("sphere:16");
+  study.scene.lights.clear();
+  for (int i = 0; i < 16; ++i) {
+    const double azimuth = i * glm::two_pi<double>() / 16, height = .3 + .08 * (i % 5);
+    study.scene.lights.push_back(
+        {.intensity = .12, .direction = {std::cos(azimuth), height, .5 + std::sin(azimuth)}});
+  }
+  return study;
+}
+
 Candidate engine_candidate(std::shared_ptr<Renderer> renderer,
                            std::shared_ptr<const StudyScene> study, const std::string& series,
-                           const std::string& label, Interpolation interpolation) {
-  RenderSettings settings;
+                           const std::string& label, RenderSettings settings) {
   settings.threads = 1;
-  settings.interpolation = interpolation;
   const auto draw = [=](Framebuffer& framebuffer) {
     renderer->render(study->scene, study->camera, settings, framebuffer);
   };

@@ -30,11 +30,14 @@ StudyScene study_scene(const std::string& shape, const std::string& model = stud
 /// perspective matters to. (On a floor it does not matter along a row of pixels.)
 StudyScene wall_scene();
 
-/// The engine on one thread, with one sample a pixel.
+/// A ball of 960 triangles under 16 lights, far away: what a tolerance matters to. (Under two
+/// lights what it saves is less than what its bounds cost.)
+StudyScene lights_scene();
+
+/// The engine, on one thread whatever the settings say.
 Candidate engine_candidate(std::shared_ptr<Renderer> renderer,
                            std::shared_ptr<const StudyScene> study, const std::string& series,
-                           const std::string& label,
-                           Interpolation interpolation = Interpolation::perspective);
+                           const std::string& label, RenderSettings settings = {});
 
 ExactPicture reference_of(const StudyScene& study);
 
