@@ -69,7 +69,7 @@ Scene make_room() {
 }
 
 /// Orange where local reflection is too bright, blue where it is too dark.
-Framebuffer difference(const Framebuffer& local, const Framebuffer& global) {
+Framebuffer signed_difference(const Framebuffer& local, const Framebuffer& global) {
   Framebuffer result = studio::blank_picture(local.width, local.height, {});
   for (std::size_t i = 0; i < local.colour.size(); i += 4) {
     double d = 0;
@@ -88,7 +88,7 @@ double mean_light(const Framebuffer& picture) {
 }
 
 int main(int argc, char** argv) {
-  studio::Lesson lesson("Local reflection beside the light's whole way.", 1800, 478);
+  studio::Lesson lesson("Local reflection beside the light's whole way.", 1500, 398);
   int paths = 24, bounces = 3;
   lesson.knob("--paths", paths, {1, 10000}, "per pixel");
   lesson.knob("--bounces", bounces, {0, 100}, "how often light goes on from the first surface");
@@ -104,7 +104,7 @@ int main(int argc, char** argv) {
       };
       pictures.push_back(panel == 0   ? studio::photograph(room, camera, width, height)
                          : panel == 1 ? studio::trace(camera, width, height, paths, along)
-                                      : difference(pictures[0], pictures[1]));
+                                      : signed_difference(pictures[0], pictures[1]));
       return pictures.back();
     };
     const Framebuffer sheet =
