@@ -21,7 +21,9 @@ const std::map<std::string, std::string> long_lessons = {
     {"26_copper", "a spectrum wants a landscape, curves and colours"},
     {"34_spans_in_vectors", "draws the lanes beside the pictures, and measures"},
     {"35_shading_once", "its own balls and scan conversion, so that shading can be counted"},
-    {"38_numbers_break", "three places, each without care and with"}};
+    {"36_skipping", "furnishes a crowd, and charts what is counted of it"},
+    {"38_numbers_break", "three places, each without care and with"},
+    {"39_time_and_error", "draws, measures and charts 22 ways"}};
 const std::map<std::string, std::string> long_ideas = {
     {"38_numbers_break", "three places, each an idea of its own"}};
 

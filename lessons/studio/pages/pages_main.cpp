@@ -46,7 +46,7 @@ void update_page(const std::vector<std::string>& names, std::size_t i) {
 }
 
 void update_contact_sheet(const std::vector<std::string>& names) {
-  constexpr int columns = 4, cell_width = 380, cell_height = 214, word = 18, gap = 16;
+  constexpr int columns = 4, cell_width = 300, cell_height = 169, word = 16, gap = 16;
   const int rows = (int(names.size()) + columns - 1) / columns;
   const int row_height = cell_height + 3 * word;
   Framebuffer sheet =
