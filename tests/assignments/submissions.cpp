@@ -58,7 +58,8 @@ Verdict judge_text(const Assignment& assignment, const std::string& text, std::u
   std::ofstream(submission / assignment.file) << text;
   Rubric rubric = read_rubric(data_folder() / assignment.folder / "rubric.toml");
   rubric.seed = seed;
-  return judge(assignment, submission, rubric, {.scratch = scratch});
+  // An endless loop is found out sooner.
+  return judge(assignment, submission, rubric, {.scratch = scratch, .limits = {.cpu_seconds = 2}});
 }
 
 }  // namespace scanlit::assignments::test

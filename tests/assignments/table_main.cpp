@@ -1,6 +1,6 @@
 // Prints, as Markdown, what starters, solutions and wrong solutions score: wrong_solutions.md.
+#include <algorithm>
 #include <iostream>
-#include <sstream>
 
 #include "lessons/assignments/judge/report.h"
 #include "tests/assignments/submissions.h"
@@ -9,7 +9,11 @@ using namespace scanlit::assignments;
 
 namespace {
 
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+/// Where a hint stands, if there is one.
+std::string last_line(const std::string& text) {
+  const std::string line = text.substr(text.rfind('\n') + 1);
+  return line.substr(std::min(line.find_first_not_of(' '), line.size()));
+}
 
 /// In a cell of a table.
 std::string cell(std::string text) {
@@ -23,7 +27,7 @@ void print_row(const std::string& name, const std::string& what, const Verdict& 
   for (const TestScore& test : verdict.tests) {
     std::cout << ' ' << points_text(test.points) << " |";
     if (message.empty() && !test.message.empty())
-      message = test.id + ": " + first_line(test.message);
+      message = test.id + ": " + last_line(test.message);
   }
   std::cout << ' ' << points_text(points(verdict)) << " | " << cell(message) << " |\n";
 }
@@ -32,7 +36,7 @@ void print_row(const std::string& name, const std::string& what, const Verdict& 
 
 int main() {
   std::cout
-      << "# Typical wrong solutions\n\nWhat they score by the rubric, variant 1, and the first "
+      << "# Typical wrong solutions\n\nWhat they score by the rubric, variant 1, and the last "
          "line that is said about them. Made by `tests/assignments/table`.\n";
   for (const Assignment& assignment : assignments()) {
     std::cout << "\n## " << assignment.id << ", " << assignment.title << "\n\n| | |";

@@ -7,7 +7,7 @@
 namespace scanlit::assignments {
 
 const std::vector<Assignment>& assignments() {
-  static const std::vector<Assignment> all{a1_scan_conversion(), a4_shading()};
+  static const std::vector<Assignment> all{a1_scan_conversion(), a2_clipping(), a4_shading()};
   return all;
 }
 
