@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 
+#include "lessons/assignments/grade/pack.h"
 #include "lessons/assignments/judge/handout.h"
 #include "lessons/studio/commands.h"
 #include "lessons/studio/program.h"
@@ -25,6 +26,17 @@ void hand_out_new(const NewOptions& options) {
             << options.folder << '\n';
 }
 
+struct PackOptions {
+  std::string id, output = "autograder.zip", rubric, hidden;
+};
+
+void pack_autograder(const PackOptions& options) {
+  const auto& assignment = assignments::assignment(options.id);
+  const HoldInterrupts until_written;
+  assignments::pack(assignment, {options.rubric, options.hidden, options.output});
+  std::cout << options.output << ": " << assignment.id << " for Gradescope\n";
+}
+
 void list() {
   std::vector<std::vector<std::string>> rows;
   for (const auto& assignment : assignments::assignments())
@@ -35,11 +47,13 @@ void list() {
 }  // namespace
 
 Command add_assignment_command(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("assignment", "Hands out a course assignment");
+  CLI::App* app = program.add_subcommand("assignment",
+                                         "Hands out a course assignment, or packs its autograder");
   app->footer(
       "Examples:\n"
       "  scanlit assignment list\n"
       "  scanlit assignment new A1 my-a1 --seed 7\n"
+      "  scanlit assignment pack A1 --rubric rubric.toml -o autograder.zip\n"
       "\n"
       "The seed draws the assignment's variant: all of a course get the same, each year another.");
   app->require_subcommand(1);
@@ -49,7 +63,17 @@ Command add_assignment_command(CLI::App& program) {
   fresh->add_option("ASSIGNMENT", options->id, "such as A1")->required();
   fresh->add_option("DIR", options->folder, "a new or empty folder")->required();
   fresh->add_option("--seed", options->seed, "draws the variant (1)")->type_name("N");
-  return {app, [=] { all->parsed() ? list() : hand_out_new(*options); }};
+  CLI::App* packed = app->add_subcommand("pack", "Makes an autograder for Gradescope");
+  const auto packing = std::make_shared<PackOptions>();
+  packed->add_option("ASSIGNMENT", packing->id, "such as A1")->required();
+  packed->add_option("-o,--output", packing->output, "a zip (autograder.zip)")->type_name("FILE");
+  packed->add_option("--rubric", packing->rubric, "(the assignment's)")->type_name("FILE");
+  packed->add_option("--hidden", packing->hidden, "tests that students do not see")
+      ->type_name("DIR");
+  return {app, [=] {
+            if (all->parsed()) return list();
+            packed->parsed() ? pack_autograder(*packing) : hand_out_new(*options);
+          }};
 }
 
 }  // namespace scanlit::studio
