@@ -4,12 +4,51 @@ namespace scanlit {
 
 namespace {
 
-/// One part of what a light adds to one channel; `jump` is its size at the horizon, where it ends.
-void add_part(const Bounded& part, const Batch& jump, int channel, Misses& sum) {
+/// How a part ends where its light sets. All 0 where the light does not.
+struct Horizon {
+  Batch crossed;  // 1: some of the triangle's pixels may lie beyond it
+  Batch jump;     // the part's size there
+  Batch rise;     // at most jump + rise h^2 / 8 before and after a set of less than h pixels
+};
+
+/// By how much a straight line over h pixels misses a part that is known above the horizon and 0
+/// beyond. Its slope S jumps there. Crossed once, a pixels on, the line from 0 to at most S (h - a)
+/// misses the kink by at most S a (h - a) / h <= S h / 4. Crossed twice, with both ends lit, N.L at
+/// the ends is so low that the line between them lies at most h^2 / 8 times the curvature of N.L
+/// above 0. Where the light is up, the curve bends besides.
+Batch missed(const Bounded& part, const Horizon& horizon, float h) {
+  const Batch eighth(h * h / 8), kink = max(Batch(h / 4) * part.slope, eighth * horizon.rise);
+  const Batch bent = mul_add(eighth, part.curvature, min(kink, Batch(h / 2) * part.slope));
+  const Batch across = Batch(Bounded::rounding_slack) * min(bent, part.hi) + Batch(0) * part.slope;
+  return select(horizon.crossed > Batch(0), across, missed_by(part, h)) + horizon.jump;
+}
+
+/// One part of what a light adds to one channel.
+void add_part(const Bounded& part, const Horizon& horizon, int channel, Misses& sum) {
   sum.least[channel] += max(part.lo, Batch(0));
   for (int s = 0; s < stride_count; ++s)
-    sum.missed[s][channel] += missed_by(part, float(strides[s])) + jump;
+    sum.missed[s][channel] += missed(part, horizon, float(strides[s]));
 }
+
+/// What the formula says where the light sets: of the parts there, and of how fast they grow with
+/// N.L alone.
+struct Setting {
+  BoundedReflection there{}, growing{};
+
+  void find(const ReflectionModel& model, const Cosines<Bounded>& c) {
+    const auto at_rest = [](const Bounded& x) { return Bounded(x.lo, x.hi, Batch(0), Batch(0)); };
+    BoundedCosines in{{.n_l = Bounded(0),
+                       .n_v = at_rest(c.n_v),
+                       .n_h = {.cos = at_rest(c.n_h.cos), .versine = at_rest(c.n_h.versine)},
+                       .v_h = at_rest(c.v_h),
+                       .n_l_versine = Bounded(1),
+                       .n_v_versine = at_rest(c.n_v_versine)}};
+    model.bounds(in, there);
+    in.cosines.n_l = {Batch(0), c.n_l.hi, Batch(1), Batch(0)};
+    in.cosines.n_l_versine = {c.n_l_versine.lo, Batch(1), Batch(1), Batch(0)};
+    model.bounds(in, growing);
+  }
+};
 
 /// Certainly: not where nothing is known.
 Batch::Mask never_positive(const Bounded& x) { return (x.hi <= Batch(0)) & (x.slope >= Batch(0)); }
@@ -55,27 +94,40 @@ bool add_light(const ReflectionModel& model, const LightSource& light, const Scr
   const auto dark = never_positive(c.n_l) | never_positive(share);
   const Batch lit = select(dark, Batch(0), Batch(1));
   if (none(lit > Batch(0))) return true;
-  const auto horizon = c.n_l.lo <= Batch(0);
-  c.n_l = max(c.n_l, Bounded(0));
-  c.n_l_versine = min(c.n_l_versine, Bounded(1));
-  BoundedReflection reflection, ending{};
+  const auto horizon = c.n_l.lo <= Batch(0), crossed = horizon & (lit > Batch(0));
+  // As it is above the horizon: without a kink.
+  c.n_l.lo = max(c.n_l.lo, Batch(0)), c.n_l.hi = max(c.n_l.hi, Batch(0));
+  c.n_l_versine.lo = min(c.n_l_versine.lo, Batch(1));
+  c.n_l_versine.hi = min(c.n_l_versine.hi, Batch(1));
+  BoundedReflection reflection;
   if (!model.bounds(in, reflection)) return false;
-  if (!none((lit > Batch(0)) & horizon)) {
-    c.n_l = Bounded(0), c.n_l_versine = Bounded(1);
-    model.bounds(in, ending);
-  }
-  const auto add = [&](const Bounded& part, const Bounded& at_horizon, float tint, int channel) {
+  Setting setting;
+  if (!none(crossed)) setting.find(model, c);
+  const auto add = [&](const Bounded& part, const Bounded& there, const Bounded& growing,
+                       float tint, int channel) {
     const Bounded weight = share * Bounded(tint), none(0);
     Bounded weighted = part * weight;
     weighted.lo = select(horizon, Batch(0), weighted.lo);
-    const Batch jump = at_horizon.magnitude() * weight.hi + Batch(0) * at_horizon.slope;
+    const auto where_crossed = [&](const Batch& x) {
+      return group.largest(select(crossed, x, Batch(0)));
+    };
+    const Batch jump = there.magnitude() * weight.hi + Batch(0) * there.slope;
     add_part(group.of_triangle(pick(dark, none, weighted)),
-             group.largest(select(dark, Batch(0), select(horizon, jump, Batch(0)))), channel, sum);
+             {.crossed = where_crossed(Batch(1)),
+              .jump = where_crossed(jump),
+              .rise = where_crossed(growing.slope * weight.hi * c.n_l.curvature)},
+             channel, sum);
   };
-  const auto &a = reflection.value, &b = ending.value;
-  add(a.diffuse.r, b.diffuse.r, light.diffuse.r, 0), add(a.glossy.r, b.glossy.r, light.glossy.r, 0);
-  add(a.diffuse.g, b.diffuse.g, light.diffuse.g, 1), add(a.glossy.g, b.glossy.g, light.glossy.g, 1);
-  add(a.diffuse.b, b.diffuse.b, light.diffuse.b, 2), add(a.glossy.b, b.glossy.b, light.glossy.b, 2);
+  const Reflection<Bounded>&here = reflection.value, &there = setting.there.value,
+        &growing = setting.growing.value;
+  const auto add_channel = [&](Bounded Rgb<Bounded>::*of, float Rgb<float>::*of_light,
+                               int channel) {
+    add(here.diffuse.*of, there.diffuse.*of, growing.diffuse.*of, light.diffuse.*of_light, channel);
+    add(here.glossy.*of, there.glossy.*of, growing.glossy.*of, light.glossy.*of_light, channel);
+  };
+  add_channel(&Rgb<Bounded>::r, &Rgb<float>::r, 0);
+  add_channel(&Rgb<Bounded>::g, &Rgb<float>::g, 1);
+  add_channel(&Rgb<Bounded>::b, &Rgb<float>::b, 2);
   return true;
 }
 

@@ -100,8 +100,9 @@ struct Draw {
   glm::mat4 clip_from_object;
   glm::mat3 normal_from_object;  // world normal = this * object normal, not yet unit
   bool draw_back_faces;
-  bool mirrored;         // the transform reverses orientation
-  bool outside = false;  // of the view, as a whole
+  bool mirrored;            // the transform reverses orientation
+  bool outside = false;     // of the view, as a whole
+  bool may_stride = false;  // strides.h
   Illumination illumination{};
 };
 
@@ -212,7 +213,7 @@ struct Chunk {
   std::vector<Bin> bins;
   std::vector<BinEntry> entries;
   FrameStats counts;
-  // (8) strides.h: of each triangle, 0 where it is not known yet. Null with tolerance 0.
+  // (8) strides.h: of each triangle, 0 where it is not known yet. Null: all are 1.
   std::unique_ptr<std::atomic<std::uint8_t>[]> strides;
 
   std::size_t number_of(const DrawnTriangle& t) const { return std::size_t(&t - triangles.data()); }

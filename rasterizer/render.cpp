@@ -165,15 +165,21 @@ std::vector<Redo> Renderer::State::find_tiles(const Frame& frame, const Changes&
   return tiles;
 }
 
+/// (8) Which draws may be shaded every few pixels.
+void try_all_strides(Frame& frame) {
+  std::vector<std::uint8_t> worth(frame.chunks.size());
+  parallel(worth.size(), [&](std::size_t i) { worth[i] = try_strides(frame, frame.chunks[i]); });
+  for (const Chunk& chunk : frame.chunks)
+    if (worth[chunk.index]) frame.draws[chunk.draw->index].may_stride = true;
+}
+
 FrameStats Renderer::State::run_stages(Frame& frame, const Changes& changes,
                                        Framebuffer& framebuffer) {
   for (Worker& worker : workers) worker.shader.stats = {};
   make_draws(frame, changes);
   std::vector<Redo> tiles = find_tiles(frame, changes);
   assemble_all(frame, changes);
-  for (Chunk& chunk : frame.chunks)
-    if (frame.settings.tolerance > 0)
-      chunk.strides = std::make_unique<std::atomic<std::uint8_t>[]>(chunk.triangles.size());
+  if (frame.settings.tolerance > 0) try_all_strides(frame);
   const std::vector<Redo> tiles_now = find_tiles(frame, changes);
   for (std::size_t i = 0; i < tiles.size(); ++i) tiles[i] = std::max(tiles[i], tiles_now[i]);
 

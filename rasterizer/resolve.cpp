@@ -2,7 +2,7 @@
 
 namespace scanlit {
 
-FragmentSpan& SpanCollector::span_of(const Frame& frame, const Draw& draw) {
+FragmentSpan& SpanCollector::span_of(const Draw& draw) {
   if (spans_.size() <= draw.index) spans_.resize(draw.index + 1);
   auto& span = spans_[draw.index];
   if (!span) {
@@ -15,7 +15,7 @@ FragmentSpan& SpanCollector::span_of(const Frame& frame, const Draw& draw) {
     // Only at fragments is a model given pixels. Asked here, once: a run may be of one pixel.
     span->with_derivatives = draw.object->shading == Shading::phong &&
                              draw.object->material.model->needs().texcoord_derivatives;
-    span->may_stride = !span->with_derivatives && may_stride(frame, draw);
+    span->may_stride = !span->with_derivatives && draw.may_stride;
     open_.push_back(draw.index);
   }
   return *span;

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <memory>
+#include <unordered_map>
 
 #include "rasterizer/barycentric.h"
 #include "rasterizer/strides.h"
@@ -15,7 +16,7 @@ namespace scanlit {
 class SpanCollector {
  public:
   /// The open span of a draw; a new one if it has none.
-  FragmentSpan& span_of(const Frame& frame, const Draw& draw);
+  FragmentSpan& span_of(const Draw& draw);
 
   /// Hands every open span to use(span) and closes it.
   template <class Use>
@@ -128,8 +129,35 @@ class Resolver {
     covered_pixels_ += end - begin;
     const DrawnTriangle& drawn = *visibility_.triangles[id];
     FragmentSpan& span = span_of(drawn);
-    if (span.may_stride && end - begin > 3 && append_some(id, drawn, begin, y, end - begin, span))
-      return;
+    while (begin < end) {
+      const auto [stride, until] = stride_at(id, drawn, begin, y, end, span);
+      if (stride > 1)
+        append_some(id, drawn, begin, y, until - begin, stride, span);
+      else
+        append_all(id, drawn, begin, y, until, span);
+      begin = until;
+    }
+  }
+
+  /// The stride of a run's pixels up to `until`.
+  struct Stretch {
+    int stride, until;
+  };
+  Stretch stride_at(TriangleId id, const DrawnTriangle& drawn, int x, int y, int end,
+                    const FragmentSpan& span) {
+    if (!span.may_stride || end - x <= 3) return {1, end};
+    if (!is_large(drawn)) return {stride_of(frame_, drawn), end};
+    StripStrides& strip = strips_[id];
+    if (y >= strip.y_end) strip = strides_in(frame_, drawn, visibility_.rect, y);
+    const int column = (x - strip.x_begin) / strip.width, stride = strip.stride[column];
+    int until = column;
+    while (strip.x_begin + until * strip.width < end && strip.stride[until] == stride) ++until;
+    until = std::min(end, strip.x_begin + until * strip.width);
+    return {until - x > 3 ? stride : 1, until};
+  }
+
+  void append_all(TriangleId id, const DrawnTriangle& drawn, int begin, int y, int end,
+                  FragmentSpan& span) {
     while (begin < end) {
       const int count = std::min(end - begin, FragmentSpan::capacity - span.size);
       append(id, drawn, begin, y, count, span);
@@ -139,7 +167,7 @@ class Resolver {
 
   FragmentSpan& span_of(const DrawnTriangle& drawn) {
     if (!span_ || span_->draw->index != drawn.draw)
-      span_ = &collector_.span_of(frame_, frame_.draw_of(drawn));
+      span_ = &collector_.span_of(frame_.draw_of(drawn));
     return *span_;
   }
 
@@ -170,12 +198,9 @@ class Resolver {
            count, weight, span);
   }
 
-  /// Only every so many pixels, and the last. False where all must be.
-  bool append_some(TriangleId id, const DrawnTriangle& drawn, int x, int y, int count,
+  /// Only every so many pixels, and the last.
+  void append_some(TriangleId id, const DrawnTriangle& drawn, int x, int y, int count, int stride,
                    FragmentSpan& span) {
-    const bool small = SmallWeights::fits(drawn);
-    const int stride = small ? stride_of(frame_, drawn) : large_triangle(id, drawn, true).stride;
-    if (stride == 1) return false;
     const int size = (count - 2) / stride + 2;
     const auto place = [&](bool clockwise, const auto& weights) {
       if (span.size + size > FragmentSpan::capacity) shade(span);
@@ -192,13 +217,12 @@ class Resolver {
         hn::StoreU(hn::Add(row, hn::BitCast(pixels, columns)), pixels, span.pixel + first + i);
       }
       close(drawn, clockwise, size, stride, count, span);
-      return true;
     };
-    if (small) {
+    if (SmallWeights::fits(drawn)) {
       const SmallWeights weights(drawn, perspective_, x, y);
       return place(weights.clockwise(), weights);
     }
-    const LargeTriangle& large = large_triangle(id, drawn, true);
+    const LargeTriangle& large = large_triangle(id, drawn);
     if (perspective_ && large.planes.precise())
       return place(large.clockwise, WeightPlanes::Row(large.planes, x, y));
     const ExactWeights weights(frame_, drawn);
@@ -272,18 +296,13 @@ class Resolver {
     TriangleId id = no_triangle;
     bool clockwise = false;
     WeightPlanes planes;
-    int stride = 0;  // not known yet
   };
-  const LargeTriangle& large_triangle(TriangleId id, const DrawnTriangle& drawn,
-                                      bool with_stride = false) {
+  const LargeTriangle& large_triangle(TriangleId id, const DrawnTriangle& drawn) {
     LargeTriangle& kept = large_[id % large_.size()];
     if (kept.id != id) {
       const auto& v = drawn.vertices;
       kept = {id, screen_triangle(v[0], v[1], v[2]).twice_area < 0, WeightPlanes(drawn)};
     }
-    if (with_stride && kept.stride == 0)
-      kept.stride =
-          is_large(drawn) ? stride_in(frame_, drawn, visibility_.rect) : stride_of(frame_, drawn);
     return kept;
   }
 
@@ -295,6 +314,7 @@ class Resolver {
   FragmentSpan* span_ = nullptr;  // the one that was filled last
   std::vector<TriangleId> row_;
   std::array<LargeTriangle, 64> large_;
+  std::unordered_map<TriangleId, StripStrides> strips_;
   std::int64_t covered_pixels_ = 0;
 };
 

@@ -13,11 +13,25 @@ namespace scanlit {
 namespace {
 
 // Bounds of smaller triangles would cost more than they save: each alone, and a vector of them on
-// average. What is then left to shade of each is worth four times the work from so many on.
-constexpr std::int64_t min_pixels_alone = 40;
-constexpr double min_pixels = 100, min_pixels_kept = 300;
-// Of larger triangles, tiles are bounded.
-constexpr std::int64_t large_pixels = 2000;
+// average. What is then left to shade of each is worth four times the work from so many on, if the
+// first bounds have spared anything.
+constexpr double min_pixels_alone = 40, min_pixels = 250, min_pixels_kept = 300;
+// If more is left of those that are tried, the others are not.
+constexpr double max_kept = 0.7;
+constexpr std::size_t tries = 3;  // vectors of them
+// Of larger triangles, strips of tiles are bounded, which have at least so many pixels.
+constexpr double large_pixels = 2000;
+constexpr int strip_rows = 16, strip_pixels = 4096;
+
+double pixels_of(const DrawnTriangle& t) {
+  return double(std::abs(area_of(t))) / (2 * subpixel * subpixel);
+}
+
+}  // namespace
+
+bool is_large(const DrawnTriangle& drawn) { return pixels_of(drawn) >= large_pixels; }
+
+namespace {
 
 /// By how much a colour that is at least `least` may be off.
 Batch allowed(const Frame& frame, const Batch& least) {
@@ -81,21 +95,61 @@ void raise(const Frame& frame, std::span<const DrawnTriangle> triangles, int cel
   }
 }
 
-void find_strides(const Frame& frame, std::span<const DrawnTriangle> triangles,
-                  std::uint8_t* found) {
-  double pixels = 0, kept = 0;
-  for (const DrawnTriangle& t : triangles)
-    pixels += double(std::abs(area_of(t))) / (2 * subpixel * subpixel);
+struct Tried {
+  bool large = false;           // some are
+  double pixels = 0, kept = 0;  // of the others, if they are not too small
+};
+
+/// Of up to a vector of a chunk's triangles, which hold triangle `number`.
+Tried find_strides(const Frame& frame, const Chunk& chunk, std::size_t number) {
+  const std::size_t first = number / max_lanes * max_lanes;
+  const std::span triangles(&chunk.triangles[first],
+                            std::min(max_lanes, chunk.triangles.size() - first));
+  Tried tried;
+  double pixels[max_lanes] = {};  // of large ones none: they are bounded strip by strip
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    tried.large |= is_large(triangles[i]);
+    tried.pixels += pixels[i] = is_large(triangles[i]) ? 0 : pixels_of(triangles[i]);
+  }
+  std::uint8_t found[max_lanes];
   std::fill_n(found, triangles.size(), std::uint8_t(1));
+  const auto kept = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < triangles.size(); ++i) sum += pixels[i] / found[i];
+    return sum;
+  };
   const double count = double(triangles.size());
-  if (pixels < min_pixels * count) return;
-  raise(frame, triangles, 1, found);
+  if (tried.pixels >= min_pixels * count) {
+    raise(frame, triangles, 1, found);
+    // Four times the work, for sharper bounds.
+    if (kept() >= min_pixels_kept * count && kept() < tried.pixels) raise(frame, triangles, 4, found);
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+      if (triangles[i].piece != DrawnTriangle::not_cut) found[i] = 1;
+    tried.kept = kept();
+  } else {
+    tried.pixels = 0;
+  }
+  // Threads that ask at the same time find the same.
   for (std::size_t i = 0; i < triangles.size(); ++i)
-    kept += double(std::abs(area_of(triangles[i]))) / (2 * subpixel * subpixel) / found[i];
-  // Four times the work, for sharper bounds.
-  if (kept >= min_pixels_kept * count) raise(frame, triangles, 4, found);
-  for (std::size_t i = 0; i < triangles.size(); ++i)
-    if (triangles[i].piece != DrawnTriangle::not_cut) found[i] = 1;
+    chunk.strides[first + i].store(found[i], std::memory_order_relaxed);
+  return tried;
+}
+
+/// Of the columns of some rows, one a lane.
+void find_columns(const Frame& frame, const DrawnTriangle& drawn, const Rect& rows, int width,
+                  std::uint8_t* found) {
+  ScreenGroup group;
+  for (int lane = 0; lane < Batch::lanes; ++lane) {
+    const int x = rows.x_begin + lane * width;
+    group.put(frame, drawn, lane);
+    group.put_rectangle(
+        drawn,
+        {x * subpixel, rows.y_begin * subpixel, (x + width) * subpixel, rows.y_end * subpixel},
+        lane);
+  }
+  Lanes result;
+  strides_of(frame, frame.draw_of(drawn), group).store(result.of);
+  for (int lane = 0; lane < Batch::lanes; ++lane) found[lane] = std::uint8_t(result.of[lane]);
 }
 
 }  // namespace
@@ -106,52 +160,46 @@ bool may_stride(const Frame& frame, const Draw& draw) {
          draw.object->material.ambient_share == 0;
 }
 
-bool is_large(const DrawnTriangle& drawn) {
-  return std::abs(area_of(drawn)) >= 2 * large_pixels * subpixel * subpixel;
-}
-
-int stride_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& pixels) {
-  if (drawn.piece != DrawnTriangle::not_cut) return 1;
+StripStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& tile, int y) {
   const auto& v = drawn.vertices;
   const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
-  const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
-  const int x = std::max(left, pixels.x_begin * subpixel),
-            y = std::max(top, pixels.y_begin * subpixel);
-  const int end_x = std::min(right, pixels.x_end * subpixel),
-            end_y = std::min(bottom, pixels.y_end * subpixel);
-  constexpr int columns = Batch::lanes >= 16 ? 4 : 2, rows = Batch::lanes / columns;
-  ScreenGroup group;
-  group.cells = Batch::lanes;
-  for (int lane = 0; lane < Batch::lanes; ++lane) {
-    const int column = lane % columns, row = lane / columns;
-    const auto between = [](int from, int to, int i, int of) {
-      return from + (to - from) * i / of;
-    };
-    group.put(frame, drawn, lane);
-    group.put_rectangle(drawn,
-                        {between(x, end_x, column, columns), between(y, end_y, row, rows),
-                         between(x, end_x, column + 1, columns), between(y, end_y, row + 1, rows)},
-                        lane);
+  const int bottom = std::max({v[0].y, v[1].y, v[2].y});
+  Rect box = intersection(tile, {left / subpixel, y, right / subpixel + 1, bottom / subpixel + 1});
+  const int size = box.x_end - box.x_begin;
+  StripStrides strip{.y_end = tile.y_end,
+                     .x_begin = box.x_begin,
+                     .width = (size + Batch::lanes - 1) / Batch::lanes,
+                     .stride = {}};
+  std::ranges::fill(strip.stride, std::uint8_t(1));
+  if (drawn.piece != DrawnTriangle::not_cut) return strip;
+  box.y_end = std::min(box.y_end, y + std::max(strip_rows, strip_pixels / size));
+  find_columns(frame, drawn, box, strip.width, strip.stride);
+  // After a strip in vain the tile's others are not tried.
+  if (std::ranges::any_of(strip.stride, [](int s) { return s > 1; })) strip.y_end = box.y_end;
+  return strip;
+}
+
+bool try_strides(const Frame& frame, Chunk& chunk) {
+  chunk.strides = nullptr;
+  const std::size_t count = chunk.triangles.size();
+  if (count == 0 || !may_stride(frame, *chunk.draw)) return false;
+  chunk.strides = std::make_unique<std::atomic<std::uint8_t>[]>(count);
+  const std::size_t vectors = (count + max_lanes - 1) / max_lanes, some = std::min(vectors, tries);
+  Tried all;
+  for (std::size_t i = 0; i < some; ++i) {
+    const Tried tried = find_strides(frame, chunk, vectors * (2 * i + 1) / (2 * some) * max_lanes);
+    all.large |= tried.large, all.pixels += tried.pixels, all.kept += tried.kept;
   }
-  Lanes result;
-  strides_of(frame, frame.draw_of(drawn), group).store(result.of);
-  return int(result.of[0]);
+  if (all.kept >= max_kept * all.pixels) chunk.strides = nullptr;
+  return chunk.strides || all.large;
 }
 
 int stride_of(const Frame& frame, const DrawnTriangle& drawn) {
-  if (std::abs(area_of(drawn)) < 2 * min_pixels_alone * subpixel * subpixel) return 1;
   const Chunk& chunk = frame.chunks[drawn.chunk];
+  if (!chunk.strides || pixels_of(drawn) < min_pixels_alone) return 1;
   const std::size_t number = chunk.number_of(drawn);
-  std::atomic<std::uint8_t>& known = chunk.strides[number];
-  if (const int stride = known.load(std::memory_order_relaxed)) return stride;
-
-  const std::size_t first = number / max_lanes * max_lanes;
-  const std::size_t count = std::min(max_lanes, chunk.triangles.size() - first);
-  std::uint8_t found[max_lanes];
-  find_strides(frame, std::span(&chunk.triangles[first], count), found);
-  // Threads that ask at the same time find the same.
-  for (std::size_t i = 0; i < count; ++i)
-    chunk.strides[first + i].store(found[i], std::memory_order_relaxed);
+  const std::atomic<std::uint8_t>& known = chunk.strides[number];
+  if (known.load(std::memory_order_relaxed) == 0) find_strides(frame, chunk, number);
   return known.load(std::memory_order_relaxed);
 }
 

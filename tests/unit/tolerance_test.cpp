@@ -16,7 +16,7 @@ namespace {
 
 using namespace test;
 
-constexpr int width = 96, height = 72;
+constexpr int width = 160, height = 120;
 
 /// A scene is written in numbers from 0 to 1, so that it can be changed a little.
 using Genes = std::vector<double>;
@@ -138,7 +138,7 @@ Genes random_genes(std::mt19937& random) {
 TEST(Tolerance, HoldsInScenesMadeByChance) {
   std::mt19937 random(5);
   double evaluated = 0;
-  constexpr int count = 300;
+  constexpr int count = 150;
   for (int i = 0; i < count; ++i) {
     const Written written = scene_of(random_genes(random));
     const double tolerance = i % 3 == 0 ? .3 : i % 3 == 1 ? 1 : 4;
@@ -158,7 +158,7 @@ TEST(Tolerance, HoldsWhereErrorsAreSoughtOut) {
   for (int climb = 0; climb < 8; ++climb) {
     Genes best;
     double worst = -1;
-    for (int i = 0; i < 120; ++i) {
+    for (int i = 0; i < 80; ++i) {
       Genes genes = i < 20 ? random_genes(random) : best;
       const double size = std::pow(10.0, -3 * unit(random));
       for (double& gene : genes)
@@ -174,7 +174,7 @@ TEST(Tolerance, HoldsWhereErrorsAreSoughtOut) {
 Scene lit_sphere() {
   Scene scene;
   Object object;
-  object.mesh = std::make_shared<Mesh>(make_shape("sphere:24"));
+  object.mesh = std::make_shared<Mesh>(make_shape("sphere:12"));
   object.material.model = models::make("blinn-phong:n=30").model;
   scene.objects.push_back(object);
   scene.lights = {{.direction = {1, 1, 1}},
@@ -195,7 +195,7 @@ TEST(Tolerance, SparesEvaluationsAndIsTheSameForAnyThreads) {
 
 TEST(Tolerance, IsOfTheEightBitCodesOfTheFramebuffer) {
   for (const ColourFormat format : {ColourFormat::linear_8bit, ColourFormat::srgb_8bit}) {
-    Framebuffer full(400, 300, {.format = format}), near(400, 300, {.format = format});
+    Framebuffer full(800, 600, {.format = format}), near(800, 600, {.format = format});
     render(lit_sphere(), {}, {}, full);
     render(lit_sphere(), {}, {.tolerance = 1}, near);
     int largest = 0;
