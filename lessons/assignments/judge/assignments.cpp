@@ -7,7 +7,8 @@
 namespace scanlit::assignments {
 
 const std::vector<Assignment>& assignments() {
-  static const std::vector<Assignment> all{a1_scan_conversion(), a2_clipping(), a4_shading()};
+  static const std::vector<Assignment> all{a1_scan_conversion(), a2_clipping(), a3_visibility(),
+                                           a4_shading()};
   return all;
 }
 

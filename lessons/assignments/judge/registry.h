@@ -7,6 +7,7 @@ namespace scanlit::assignments {
 
 Assignment a1_scan_conversion();
 Assignment a2_clipping();
+Assignment a3_visibility();
 Assignment a4_shading();
 
 }  // namespace scanlit::assignments
