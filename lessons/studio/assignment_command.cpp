@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "lessons/assignments/grade/pack.h"
+#include "lessons/assignments/judge/files.h"
 #include "lessons/assignments/judge/handout.h"
 #include "lessons/studio/commands.h"
 #include "lessons/studio/program.h"
@@ -70,8 +71,17 @@ Command add_assignment_command(CLI::App& program) {
   packed->add_option("--rubric", packing->rubric, "(the assignment's)")->type_name("FILE");
   packed->add_option("--hidden", packing->hidden, "tests that students do not see")
       ->type_name("DIR");
+  CLI::App* data = app->add_subcommand("data", "Writes the files that an installation holds");
+  const auto target = std::make_shared<std::string>(), what = std::make_shared<std::string>();
+  data->add_option("WHAT", *what, "course or solutions")
+      ->required()
+      ->check(CLI::IsMember({"course", "solutions"}));
+  data->add_option("DIR", *target, "is made where it is missing")->required();
   return {app, [=] {
             if (all->parsed()) return list();
+            if (data->parsed())
+              return *what == "course" ? assignments::write_course(*target)
+                                       : assignments::write_solutions(*target);
             packed->parsed() ? pack_autograder(*packing) : hand_out_new(*options);
           }};
 }

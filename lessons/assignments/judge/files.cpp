@@ -1,5 +1,7 @@
 #include "lessons/assignments/judge/files.h"
 
+#include <fstream>
+
 #include "lessons/assignments/judge/strip.h"
 #include "lessons/studio/pages/page.h"
 #include "rasterizer/error.h"
@@ -31,8 +33,8 @@ std::vector<Made> support_files(const Assignment& assignment, std::uint64_t seed
 
 Made starter(const Assignment& assignment) {
   const fs::path folder = data_folder() / assignment.folder;
-  if (fs::exists(folder / "starter.cpp"))
-    return {assignment.file, studio::read_text(folder / "starter.cpp")};
+  const fs::path stripped = folder / ("starter" + fs::path(assignment.file).extension().string());
+  if (fs::exists(stripped)) return {assignment.file, studio::read_text(stripped)};
   return {assignment.file, strip(studio::read_text(folder / assignment.file), assignment.file)};
 }
 
@@ -40,6 +42,41 @@ Made solution(const Assignment& assignment) {
   const fs::path file = data_folder() / assignment.folder / assignment.file;
   if (!fs::exists(file)) throw Error("the solutions are not installed");
   return {assignment.file, studio::read_text(file)};
+}
+
+// ------------------------------------------------------------------------------- what is installed
+
+namespace {
+
+void write(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream stream(file, std::ios::binary);
+  if (!(stream << text).flush()) throw Error(file.string(), "cannot be written");
+}
+
+void copy(const Assignment& assignment, const std::string& name, const fs::path& folder) {
+  const fs::path within = fs::path(assignment.folder) / name;
+  write(folder / within, studio::read_text(data_folder() / within));
+}
+
+}  // namespace
+
+void write_course(const fs::path& folder) {
+  for (const Assignment& each : assignments()) {
+    for (const char* name : {"page.md", "variant.h", "main.cpp", "rubric.toml"})
+      copy(each, name, folder);
+    if (!each.header.empty()) copy(each, each.header, folder);
+    write(folder / each.folder / ("starter" + fs::path(each.file).extension().string()),
+          starter(each).text);
+    // What all share (answer/), and what of the engine they may see (rasterizer/).
+    for (const Made& made : support_files(each, 1))
+      if (fs::path(made.name).has_parent_path()) write(folder / made.name, made.text);
+  }
+}
+
+void write_solutions(const fs::path& folder) {
+  for (const Assignment& each : assignments())
+    for (const std::string& name : {each.file, std::string("wrong.toml")}) copy(each, name, folder);
 }
 
 }  // namespace scanlit::assignments

@@ -24,10 +24,15 @@ struct Made {
 std::vector<Made> support_files(const Assignment& assignment, std::uint64_t seed);
 
 /// The file that the student is to complete. Installed for students it is there as it is
-/// (starter.cpp); in the source it is the solution, stripped.
+/// (starter.cpp or .h); in the source it is the solution, stripped.
 Made starter(const Assignment& assignment);
 
 /// Throws Error where the solutions are not installed.
 Made solution(const Assignment& assignment);
+
+/// Writes the data folder of students: all but solutions, and what would give them away.
+void write_course(const std::filesystem::path& folder);
+/// What instructors have beside: solutions and wrong solutions.
+void write_solutions(const std::filesystem::path& folder);
 
 }  // namespace scanlit::assignments
