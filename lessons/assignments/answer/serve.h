@@ -1,8 +1,8 @@
 // The judge's questions are read, your functions are called, their answers are sent back. Nothing
 // here needs to be understood or changed for an assignment.
 //
-// While your functions run, standard output is the terminal's (standard error), so that you may
-// print; standard input is empty.
+// Your functions may print: standard output is then standard error, and `scanlit check` shows what
+// they print below a test that fails. Standard input is empty.
 #pragma once
 
 #include <unistd.h>
@@ -40,6 +40,7 @@ class Pipe {
   Pipe() : in_(dup(STDIN_FILENO)), out_(dup(STDOUT_FILENO)) {
     std::fclose(stdin);
     dup2(STDERR_FILENO, STDOUT_FILENO);
+    std::setvbuf(stdout, nullptr, _IOLBF, BUFSIZ);  // or what is printed last would be lost
   }
 
   /// False at the end of the conversation.

@@ -18,15 +18,20 @@ const Part& part_of(const Assignment& assignment, const RubricTest& test) {
 
 /// One run in a process of its own. Counts how often time was up.
 Finding examine(const Part& part, const Rubric& rubric, const RubricTest& test,
-                sandbox::Sandbox& sandbox, std::vector<JudgedPicture>& pictures, int& late) {
+                sandbox::Sandbox& sandbox, std::vector<JudgedPicture>& pictures,
+                std::string& printed, int& late) {
   ProgramRespondent student(sandbox);
   Examination examination{student, rubric.seed, test.questions, pictures};
+  Finding finding;
   try {
-    return part.run(examination);
+    finding = part.run(examination);
   } catch (const Unanswered& error) {
     late += !error.answered_in_time;
-    return Finding::wrong(error.what());
+    finding = Finding::wrong(error.what());
   }
+  constexpr std::size_t most_printed = 2000;
+  if (finding.share < 1) printed = student.printed().substr(0, most_printed);
+  return finding;
 }
 
 /// Twice, unless nothing is left to lose: what differs from run to run is not right.
@@ -36,8 +41,9 @@ void run_test(const Assignment& assignment, const Rubric& rubric, const RubricTe
   const auto start = std::chrono::steady_clock::now();
   const Part& part = part_of(assignment, test);
   std::vector<JudgedPicture> seen[2];
-  Finding lower = examine(part, rubric, test, sandbox, seen[0], late);
-  Finding second = lower.share > 0 ? examine(part, rubric, test, sandbox, seen[1], late) : lower;
+  Finding lower = examine(part, rubric, test, sandbox, seen[0], score.printed, late);
+  Finding second =
+      lower.share > 0 ? examine(part, rubric, test, sandbox, seen[1], score.printed, late) : lower;
   const int worse = second.share < lower.share;
   if (worse) {
     lower = std::move(second);

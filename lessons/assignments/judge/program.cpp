@@ -117,7 +117,7 @@ Numbers ProgramRespondent::receive(int& kind, const AnswerSize& size) {
   const auto check = [](const char* what, std::size_t count, std::size_t least, std::size_t most) {
     if (count < least || count > most)
       throw Unanswered("the answer holds " + std::to_string(count) + " " + what +
-                       " where at most " + std::to_string(most) + " make sense");
+                       (least == most ? ", not " : "; there may be ") + std::to_string(most));
   };
   constexpr std::size_t most_asked = 1 << 16;
   check("whole numbers", head.integers, counter ? 0 : size.least_integers,
@@ -143,7 +143,10 @@ Numbers ProgramRespondent::ask(int kind, const Numbers& question, const AnswerSi
       conversation_.emplace(sandbox_.start({(sandbox_.scratch() / program_name).string()}));
     ++sequence_;
     send(kind, question);
-    for (;;) {
+    // Who asks back for ever takes the judge's time, not its own.
+    constexpr int patience = 1 << 20;
+    for (int asked_back = 0;; ++asked_back) {
+      if (asked_back > patience) throw Unanswered("your program asks back without end");
       int answered = kind;
       Numbers numbers = receive(answered, size);
       if (answered == kind) return numbers;
@@ -151,10 +154,17 @@ Numbers ProgramRespondent::ask(int kind, const Numbers& question, const AnswerSi
       send(answered, counsel(answered - answer::counter_question, numbers));
     }
   } catch (const sandbox::Silent& error) {
+    printed_ = error.outcome.output;
     throw Unanswered(std::string("your program ") + error.what(), false);
   } catch (const sandbox::NoAnswer& error) {
+    printed_ = error.outcome.output;
     throw Unanswered(std::string("your program ") + error.what());
   }
+}
+
+std::string ProgramRespondent::printed() {
+  if (conversation_ && printed_.empty()) printed_ = conversation_->finish().output;
+  return printed_;
 }
 
 }  // namespace scanlit::assignments

@@ -36,6 +36,9 @@ class ProgramRespondent final : public Respondent {
   Numbers ask(int kind, const Numbers& question, const AnswerSize& size,
               const Counsel& counsel = {}) override;
 
+  /// Ends the program; what it has printed: text of any kind.
+  std::string printed();
+
  private:
   void send(int kind, const Numbers& numbers);
   Numbers receive(int& kind, const AnswerSize& size);
@@ -43,6 +46,7 @@ class ProgramRespondent final : public Respondent {
   sandbox::Sandbox& sandbox_;
   std::optional<sandbox::Conversation> conversation_;
   std::uint32_t sequence_ = 0;
+  std::string printed_;
 };
 
 }  // namespace scanlit::assignments

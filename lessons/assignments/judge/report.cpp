@@ -43,6 +43,10 @@ void print_report(std::ostream& out, const Assignment& assignment, const Verdict
     row(test.id, test.name, passed ? "passed" : "failed", test.points, test.max_points);
     if (verdict.built && !test.hidden && !test.message.empty()) {
       print_indented(out, test.message, "        ");
+      if (!test.printed.empty()) {
+        out << "        Your program printed:\n";
+        print_indented(out, test.printed, "          ");
+      }
       out << '\n';
     }
   }

@@ -102,9 +102,13 @@ std::string compare(const JudgedPicture& picture) {
 
 std::string row(const TestScore& test, bool built) {
   const bool passed = test.points >= test.max_points;
-  const std::string message = built && !test.hidden && !test.message.empty()
-                                  ? "<pre>" + escape_html(test.message) + "</pre>"
-                                  : "";
+  std::string message;
+  if (built && !test.hidden && !test.message.empty()) {
+    message = "<pre>" + escape_html(test.message) + "</pre>";
+    if (!test.printed.empty())
+      message += "<details><summary>What your program printed</summary><pre>" +
+                 escape_html(test.printed) + "</pre></details>";
+  }
   return "<tr><td>" + escape_html(test.id) + "</td><td>" + escape_html(test.name) + message +
          "</td><td class=\"" + (passed ? "passed\">passed" : "failed\">failed") +
          "</td><td class=\"points\">" + points_text(test.points) + " of " +

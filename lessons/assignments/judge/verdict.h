@@ -15,6 +15,7 @@ struct TestScore {
   double points = 0, max_points = 0;
   bool hidden = false;    // a student sees name and points only
   std::string message{};  // UTF-8, several lines, the judge's own words; empty with full points
+  std::string printed{};  // by the program, for the student's own eyes: text of any kind, cut short
   double seconds = 0;     // wall time; never compared
 };
 
