@@ -98,6 +98,7 @@ TEST_P(Hostile, ForkBomb) {
   if (!GetParam().uid && !GetParam().cgroup_processes) GTEST_SKIP() << "no limit of processes";
   HostileProgram bomb = program("#include <unistd.h>\nint main() { for (;;) fork(); }");
   sandbox::Limits limits = impatient();
+  limits.wall_seconds = 0.2;
   EXPECT_FALSE(bomb.run(limits).good());
   // In a conversation there is nothing to fork for.
   limits.processes = 1;

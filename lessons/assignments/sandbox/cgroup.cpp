@@ -5,8 +5,10 @@
 #include <sys/xattr.h>
 #include <unistd.h>
 
-#include <array>
 #include <atomic>
+#include <cerrno>
+#include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <sstream>
@@ -90,7 +92,29 @@ void give_on(const fs::path& folder) {
   if (put(own / "cgroup.procs", "0")) put(control, "+pids +memory");
 }
 
+constexpr const char* prefix = "scanlit-";
+
+/// "scanlit-1234-7" is of judge 1234.
+bool is_abandoned(const std::string& name) {
+  if (!name.starts_with(prefix)) return false;
+  const pid_t judge = pid_t(std::atol(name.c_str() + std::strlen(prefix)));
+  return judge > 0 && kill(judge, 0) != 0 && errno == ESRCH;
+}
+
 }  // namespace
+
+void remove_abandoned_groups(const CgroupPlace& place) {
+  for (const auto& parent : {place.processes, place.memory}) {
+    std::error_code none;
+    if (!parent) continue;
+    for (const auto& entry : fs::directory_iterator(*parent, none)) {
+      if (!is_abandoned(entry.path().filename().string())) continue;
+      std::ifstream processes(entry.path() / "cgroup.procs");
+      for (pid_t process; processes >> process;) kill(process, SIGKILL);
+      rmdir(entry.path().c_str());  // busy for a moment: the next judge removes it
+    }
+  }
+}
 
 CgroupPlace find_cgroup_place(const fs::path& root) {
   CgroupPlace place;
@@ -120,7 +144,7 @@ CgroupPlace find_cgroup_place(const fs::path& root) {
 Cgroup::Cgroup(const CgroupPlace& place, bool limit_processes, bool limit_memory,
                const Limits& limits) {
   static std::atomic<int> count{0};
-  name_ = "scanlit-" + std::to_string(getpid()) + "-" + std::to_string(++count);
+  name_ = prefix + std::to_string(getpid()) + "-" + std::to_string(++count);
   if (limit_processes && place.processes) make(*place.processes);
   if (limit_memory && place.memory && !(limit_processes && place.memory == place.processes))
     make(*place.memory);

@@ -21,6 +21,9 @@ struct CgroupPlace {
 /// Reads /proc/self/cgroup and /proc/self/mountinfo below `root`, which is another one in tests.
 CgroupPlace find_cgroup_place(const std::filesystem::path& root = "/");
 
+/// Ends and removes groups of judges that were killed.
+void remove_abandoned_groups(const CgroupPlace& place);
+
 /// A group that a program is started in, with its limits.
 class Cgroup {
  public:

@@ -37,10 +37,13 @@ struct RunningProcess {
   Outcome outcome;
 
  private:
-  /// Sleeps until the pipe is ready, some milliseconds are over, or the deadline is. Keeps what the
-  /// program prints meanwhile.
-  bool ready(int descriptor, short event, Clock::time_point deadline);
+  /// Sleeps until the pipe is ready, some milliseconds are over, or the deadline is, which a
+  /// program that computes puts off. Keeps what the program prints meanwhile.
+  bool ready(int descriptor, short event, Clock::time_point& deadline);
   void keep_output();
+  /// Whether nothing was computed since the last time, or the program had all the patience there
+  /// is.
+  bool idle();
   bool given_up() const { return late || loud; }
   bool has_ended();
 
@@ -48,6 +51,8 @@ struct RunningProcess {
   bool ended_ = false;  // and not reaped
   bool over_ = false;   // reaped
   std::uint64_t printed_ = 0;
+  long computed_ = 0;  // clock ticks, when idle() was asked last
+  Clock::time_point start_ = Clock::now();
 };
 
 }  // namespace scanlit::sandbox

@@ -57,6 +57,7 @@ fs::path make_folder(const fs::path& parent) {
 }  // namespace
 
 void remove_abandoned(const fs::path& parent) {
+  remove_abandoned_groups(find_cgroup_place());
   std::error_code none;
   for (const auto& entry : fs::directory_iterator(parent, none)) {
     const std::string name = entry.path().filename().string();

@@ -18,13 +18,12 @@ namespace scanlit::sandbox {
 
 /// What a program may use. At the limit it is refused more, or killed.
 struct Limits {
-  double cpu_seconds = 10;                 // of processor time, each process
-  double wall_seconds = 60;                // from its start, of a conversation: of one answer
+  double cpu_seconds = 10;   // of processor time, each process
+  double wall_seconds = 60;  // of a run or an answer in which nothing is computed; else 10 times
   std::uint64_t memory_bytes = 512 << 20;  // each process; with cgroups all of them together
-  std::uint64_t output_bytes =
-      1 << 20;                          // that are kept of what it prints; 16 times as much ends it
-  std::uint64_t file_bytes = 64 << 20;  // each file that it writes
-  int processes = 32;                   // at a time; held only where layers.uid or cgroup is
+  std::uint64_t output_bytes = 1 << 20;    // kept of what it prints; 16 times as much ends it
+  std::uint64_t file_bytes = 64 << 20;     // each file that it writes
+  int processes = 32;                      // at a time; held only where layers.uid or cgroup is
 };
 
 /// How a program ended.
