@@ -3,7 +3,8 @@
 // How to add one: a folder lessons/assignments/A4_shading with
 //   page.md         the task, in the student's hands README.md; {{words}} are filled in by the seed
 //   NAME.h          what the student's file includes: types, and the functions to write
-//   NAME.cpp        the solution; strip.h says how the starter is made from it
+//   NAME.cpp        the solution; strip.h says how the starter is made from it. A reflection model
+//                   is a NAME.h alone: see answer/model.h
 //   variant.h       the variant as constants, for who likes to write code that asks
 //   main.cpp        serves the judge's questions by calling those functions: see answer/serve.h
 //   rubric.toml     points: see rubric.h
@@ -54,11 +55,14 @@ struct Assignment {
   std::string title;   // "Scan conversion"
   std::string folder;  // "A1_scan_conversion", in lessons/assignments
   std::string file;    // what the student writes: "scan_conversion.cpp"
-  std::string header;  // and includes: "scan_conversion.h"
+  std::string header;  // and includes: "scan_conversion.h"; none for a model
   std::function<Words(std::uint64_t seed)> words;
   // For the page: file names, and pictures of which `fresh` is shown.
   std::function<std::map<std::string, JudgedPicture>(std::uint64_t seed)> illustrations;
   std::vector<Part> parts;
+
+  /// The student's file is a header, a formula over T, included by main.cpp: see answer/model.h.
+  bool is_model() const { return header.empty(); }
 };
 
 /// All there are, in order.

@@ -7,8 +7,14 @@
 namespace scanlit::assignments {
 
 const std::vector<Assignment>& assignments() {
-  static const std::vector<Assignment> all{a1_scan_conversion(), a2_clipping(), a3_visibility(),
-                                           a4_shading()};
+  static const std::vector<Assignment> all{
+      a1_scan_conversion(),  //
+      a2_clipping(),         //
+      a3_visibility(),       //
+      a4_shading(),          //
+      a5_phong(),            //
+      a6_cook_torrance(),    //
+  };
   return all;
 }
 

@@ -20,14 +20,35 @@ fs::path data_folder() {
               installed.lexically_normal().string());
 }
 
+namespace {
+
+/// What formulas are written in: the engine's own headers, of which none holds a model, and which
+/// need no library.
+void add_vocabulary(std::vector<Made>& all) {
+  const fs::path answer = data_folder() / "answer";
+  all.push_back({"answer/model.h", studio::read_text(answer / "model.h")});
+  for (const char* name : {"batch.h", "batch_trigonometry.h"})
+    all.push_back(
+        {std::string("rasterizer/") + name, studio::read_text(answer / "rasterizer" / name)});
+  // Installed for students they lie beside answer/; in the source, where the engine is.
+  fs::path engine = data_folder() / "rasterizer";
+  if (!fs::is_directory(engine)) engine = data_folder() / "../../rasterizer";
+  for (const char* name :
+       {"cosines.h", "light_source.h", "reflection_model.h", "scalar_math.h", "vec.h"})
+    all.push_back({std::string("rasterizer/") + name, studio::read_text(engine / name)});
+}
+
+}  // namespace
+
 std::vector<Made> support_files(const Assignment& assignment, std::uint64_t seed) {
   const fs::path folder = data_folder() / assignment.folder;
   std::vector<Made> all{{"variant.h", fill_in(studio::read_text(folder / "variant.h"),
                                               assignment.words(seed), "variant.h")}};
   for (const std::string& name : {assignment.header, std::string("main.cpp")})
-    all.push_back({name, studio::read_text(folder / name)});
+    if (!name.empty()) all.push_back({name, studio::read_text(folder / name)});
   for (const char* name : {"answer/protocol.h", "answer/serve.h"})
     all.push_back({name, studio::read_text(data_folder() / name)});
+  if (assignment.is_model()) add_vocabulary(all);
   return all;
 }
 

@@ -26,8 +26,8 @@ std::string cmake_lists(const Assignment& assignment) {
          assignment.id +
          " LANGUAGES CXX)\n"
          "add_executable(answers " +
-         assignment.file +
-         " main.cpp)\n"
+         (assignment.is_model() ? "" : assignment.file + " ") +
+         "main.cpp)\n"
          "target_include_directories(answers PRIVATE .)\n"
          "target_compile_options(answers PRIVATE" +
          flags + ")\n";

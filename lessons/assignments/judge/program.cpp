@@ -76,9 +76,9 @@ Build build(const Assignment& assignment, std::uint64_t seed, const fs::path& su
 
   std::vector<std::string> argv{compiler()};
   argv.insert(argv.end(), compiler_flags().begin(), compiler_flags().end());
-  for (const std::string& word : {std::string("-I."), assignment.file, std::string("main.cpp"),
-                                  std::string("-o"), std::string(program_name)})
-    argv.push_back(word);
+  argv.push_back("-I.");
+  if (!assignment.is_model()) argv.push_back(assignment.file);
+  for (const char* word : {"main.cpp", "-o", program_name}) argv.push_back(word);
   const sandbox::Outcome outcome = sandbox.run(argv);
   result.log = outcome.output;
   result.good = outcome.good() && fs::is_regular_file(fs::symlink_status(folder / program_name));

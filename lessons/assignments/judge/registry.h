@@ -9,5 +9,7 @@ Assignment a1_scan_conversion();
 Assignment a2_clipping();
 Assignment a3_visibility();
 Assignment a4_shading();
+Assignment a5_phong();
+Assignment a6_cook_torrance();
 
 }  // namespace scanlit::assignments

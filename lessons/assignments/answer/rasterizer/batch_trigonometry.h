@@ -1,0 +1,2 @@
+// See batch.h beside this file.
+#pragma once
