@@ -37,6 +37,7 @@ std::vector<WrongSolution> wrong_solutions(const Assignment& assignment) {
     WrongSolution wrong{.name = entry["name"].value_or(""),
                         .what = entry["what"].value_or(""),
                         .text = solution_text(assignment),
+                        .variant = std::uint64_t(entry["variant"].value_or(1)),
                         .points = {},
                         .says = {}};
     for (const toml::node& pair : *entry["replace"].as_array())

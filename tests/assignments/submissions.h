@@ -13,6 +13,7 @@ namespace scanlit::assignments::test {
 /// An entry of wrong.toml.
 struct WrongSolution {
   std::string name, what, text;
+  std::uint64_t variant = 1;
   std::map<std::string, double> points;     // of tests that do not get all of theirs
   std::map<std::string, std::string> says;  // what must stand in a test's message
 };

@@ -35,9 +35,9 @@ void print_row(const std::string& name, const std::string& what, const Verdict& 
 }  // namespace
 
 int main() {
-  std::cout
-      << "# Typical wrong solutions\n\nWhat they score by the rubric, variant 1, and the last "
-         "line that is said about them. Made by `tests/assignments/table`.\n";
+  std::cout << "# Typical wrong solutions\n\nWhat they score by the rubric, variant 1 unless "
+               "wrong.toml names another, and the last line that is said about them. Made by "
+               "`tests/assignments/table`.\n";
   for (const Assignment& assignment : assignments()) {
     std::cout << "\n## " << assignment.id << ", " << assignment.title << "\n\n| | |";
     const Verdict solution = test::judge_text(assignment, test::solution_text(assignment));
@@ -49,6 +49,6 @@ int main() {
     print_row("starter", "nothing done yet",
               test::judge_text(assignment, test::starter_text(assignment)));
     for (const test::WrongSolution& wrong : test::wrong_solutions(assignment))
-      print_row(wrong.name, wrong.what, test::judge_text(assignment, wrong.text));
+      print_row(wrong.name, wrong.what, test::judge_text(assignment, wrong.text, wrong.variant));
   }
 }

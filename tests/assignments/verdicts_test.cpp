@@ -21,7 +21,7 @@ void expect_points(const Verdict& verdict, const std::map<std::string, double>& 
   EXPECT_TRUE(verdict.built) << verdict.build_log;
   for (const TestScore& test : verdict.tests) {
     const auto found = not_all.find(test.id);
-    EXPECT_EQ(test.points, found == not_all.end() ? test.max_points : found->second)
+    EXPECT_DOUBLE_EQ(test.points, found == not_all.end() ? test.max_points : found->second)
         << test.id << ": " << test.message;
     EXPECT_EQ(test.message.empty(), test.points == test.max_points) << test.id << test.message;
   }
@@ -50,7 +50,7 @@ TEST_P(Verdicts, WrongSolutionsScoreWhatTheyDeserve) {
   if (!with_all()) all.resize(1);
   for (const WrongSolution& wrong : all) {
     SCOPED_TRACE(wrong.name);
-    const Verdict verdict = judge_text(assignment_, wrong.text);
+    const Verdict verdict = judge_text(assignment_, wrong.text, wrong.variant);
     expect_points(verdict, wrong.points);
     for (const auto& [id, words] : wrong.says) {
       const auto test = std::ranges::find(verdict.tests, id, &TestScore::id);

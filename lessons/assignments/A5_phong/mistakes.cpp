@@ -28,7 +28,7 @@ struct Wrong {
     const double cosine = (term == Term::phong) != other_term ? r_v : n_h;
     const double power =
         exponent * (term == Term::phong ? variant.phong_exponent() : variant.blinn_exponent());
-    const double lobe = std::pow(late ? std::abs(cosine) : std::max(0., cosine), power);
+    const double lobe = std::pow(late ? cosine : std::max(0., cosine), power);
     return variant.with_cosine != other_cosine ? lobe * n_l : lobe;
   }
 };
@@ -55,11 +55,11 @@ std::vector<Mistake> mistakes_of(Term term, const Variant& variant, double norma
   add({.behind = true}, .5,
       "There is a highlight where the light is behind the surface (N.L < 0).");
   add({.late = true}, .4,
-      "A negative cosine is raised to an even power, which is positive: clamp first, then the "
-      "power.");
+      "A negative cosine is raised to a power, which gives NaN, or, where the power is even, a "
+      "highlight: clamp first, then the power.");
   add({.behind = true, .late = true}, .3,
-      "A negative cosine is raised to an even power, which is positive: clamp first, then the "
-      "power; and there is a highlight where the light is behind the surface.");
+      "A negative cosine is raised to a power (clamp first, then the power), and there is a "
+      "highlight where the light is behind the surface.");
   add({.exponent = .5}, .4, "The exponent is half of the one that is given.");
   add({.exponent = 2}, .4, "The exponent is twice the one that is given.");
   add({.exponent = 4}, .4, "The exponent is 4 times the one that is given.");

@@ -26,23 +26,23 @@ struct Ratio {
 constexpr std::array ratios{
     Ratio{[](const auto&) { return pi; }, "pi times too large: is 1/pi forgotten?"},
     Ratio{[](const auto&) { return 1 / pi; }, "pi times too small: is there a 1/pi too many?"},
-    Ratio{[](const auto&) { return pi * pi; }, "pi^2 times too large"},
+    Ratio{[](const auto&) { return pi * pi; }, "pi^2 times too large."},
     Ratio{[](const auto&) { return 4 / pi; }, "4/pi times too large: 1/pi where 1/4 belongs?"},
     Ratio{[](const auto&) { return 4.0; }, "4 times too large: is 1/4 forgotten?"},
     Ratio{[](const auto&) { return .25; }, "4 times too small: is there a 1/4 too many?"},
-    Ratio{[](const auto&) { return 2.0; }, "2 times too large"},
-    Ratio{[](const auto&) { return .5; }, "2 times too small"},
-    Ratio{[](const auto&) { return -1.0; }, "of the wrong sign"},
-    Ratio{[](const auto& c) { return c.n_l; }, "N.L times too large: one factor N.L too many"},
-    Ratio{[](const auto& c) { return 1 / c.n_l; }, "too large by 1 / (N.L): N.L is missing"},
-    Ratio{[](const auto& c) { return c.n_v; }, "N.V times too large: one factor N.V too many"},
-    Ratio{[](const auto& c) { return 1 / c.n_v; }, "too large by 1 / (N.V): N.V is missing"},
-    Ratio{[](const auto& c) { return c.n_h.cos; }, "N.H times too large: one N.H too many"},
-    Ratio{[](const auto& c) { return 1 / c.n_h.cos; }, "too large by 1 / (N.H): N.H is missing"},
-    Ratio{[](const auto& c) { return c.n_v / c.n_l; }, "N.L and N.V are exchanged"},
-    Ratio{[](const auto& c) { return c.n_l / c.n_v; }, "N.L and N.V are exchanged"},
-    Ratio{[](const auto& c) { return pi * c.n_l; }, "pi (N.L) times too large"},
-    Ratio{[](const auto& c) { return 1 / (pi * c.n_l); }, "pi (N.L) times too small"},
+    Ratio{[](const auto&) { return 2.0; }, "2 times too large."},
+    Ratio{[](const auto&) { return .5; }, "2 times too small."},
+    Ratio{[](const auto&) { return -1.0; }, "of the wrong sign."},
+    Ratio{[](const auto& c) { return c.n_l; }, "N.L times too large: one factor N.L too many."},
+    Ratio{[](const auto& c) { return 1 / c.n_l; }, "too large by 1 / (N.L): N.L is missing."},
+    Ratio{[](const auto& c) { return c.n_v; }, "N.V times too large: one factor N.V too many."},
+    Ratio{[](const auto& c) { return 1 / c.n_v; }, "too large by 1 / (N.V): N.V is missing."},
+    Ratio{[](const auto& c) { return c.n_h.cos; }, "N.H times too large: one N.H too many."},
+    Ratio{[](const auto& c) { return 1 / c.n_h.cos; }, "too large by 1 / (N.H): N.H is missing."},
+    Ratio{[](const auto& c) { return c.n_v / c.n_l; }, "N.L and N.V are exchanged."},
+    Ratio{[](const auto& c) { return c.n_l / c.n_v; }, "N.L and N.V are exchanged."},
+    Ratio{[](const auto& c) { return pi * c.n_l; }, "pi (N.L) times too large."},
+    Ratio{[](const auto& c) { return 1 / (pi * c.n_l); }, "pi (N.L) times too small."},
 };
 
 /// Of the values that are right, the largest: what is small beside it need not be right to 4
@@ -113,6 +113,7 @@ double ask_number(Respondent& student, int kind) {
 }
 
 bool agree(double a, double b, double scale) {
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) && std::isnan(b);
   return std::abs(a - b) <= 1e-4 * std::max(std::abs(b), 1e-4 * scale);
 }
 
@@ -153,24 +154,26 @@ Finding compare_rows(const Rows& rows, const std::vector<WrongRows>& mistakes) {
     const auto at = all.begin() + std::ptrdiff_t(first * width);
     return describe(Values(at, at + std::ptrdiff_t(width)));
   };
-  const std::string message =
-      worded("%s is wrong at %zu of %zu %s. The first:\n  %s\n  yours:     %s\n  should be: %s\n",
-             rows.name.c_str(), wrong, count, rows.of_what.c_str(), rows.describe(first).c_str(),
-             row(got).c_str(), row(expected).c_str());
+  const auto finding = [&](double share, const std::string& hint) -> Finding {
+    return {share, worded("%s is wrong at %zu of %zu %s. The first:\n  %s\n  yours:     %s\n"
+                          "  should be: %s",
+                          rows.name.c_str(), wrong, count, rows.of_what.c_str(),
+                          rows.describe(first).c_str(), row(got).c_str(), row(expected).c_str()) +
+                       (hint.empty() ? "" : "\n" + hint)};
+  };
   if (std::ranges::all_of(got, [](double value) { return value == 0; }))
-    return Finding::wrong(message + "It is 0 everywhere.");
+    return finding(0, "It is 0 everywhere.");
   for (const WrongRows& mistake : mistakes)
     if (all_agree(got, mistake.values, std::max(scale, scale_of(mistake.values))))
-      return {mistake.share, message + mistake.message};
+      return finding(mistake.share, mistake.message);
   const double factor = got[0] / expected[0];
   Values scaled = expected;
   for (double& value : scaled) value *= factor;
   if (std::isfinite(factor) && factor != 0 && all_agree(got, scaled, scale_of(scaled)))
-    return {.25, message + worded("Everywhere it is %.5g times what it should be.", factor)};
+    return finding(.25, worded("Everywhere it is %.5g times what it should be.", factor));
   if (std::ranges::any_of(got, [](double value) { return std::isnan(value); }))
-    return Finding::wrong(message +
-                          "NaN is what 0/0 gives, and a root or power of a negative number.");
-  return Finding::wrong(message);
+    return finding(0, "NaN is what 0/0 gives, and a root or power of a negative number.");
+  return finding(0, "");
 }
 
 Finding compare_values(Examination& e, const Asked& asked, const std::vector<Mistake>& mistakes) {
@@ -187,7 +190,7 @@ Finding compare_values(Examination& e, const Asked& asked, const std::vector<Mis
     Values values = rows.expected;
     for (std::size_t i = 0; i < values.size(); ++i)
       values[i] *= ratio.value(asked.directions[i / std::size_t(asked.width)].cosines());
-    wrong.push_back({values, .25, worded("Everywhere it is %s.", ratio.meaning)});
+    wrong.push_back({values, .25, worded("Everywhere it is %s", ratio.meaning)});
   }
   return compare_rows(rows, wrong);
 }

@@ -73,7 +73,7 @@ Values received(Numbers answer);
 /// The one number that answers a question without directions.
 double ask_number(Respondent& student, int kind);
 
-/// Both within .01 % of each other, or of `scale`.
+/// Within .01 % of each other, or 1e-8 of `scale`; or both NaN.
 bool agree(double a, double b, double scale);
 
 /// Asks and compares; a mistake is also recognised where all values are off by a factor such as pi
