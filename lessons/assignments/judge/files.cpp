@@ -25,17 +25,16 @@ namespace {
 /// What formulas are written in: the engine's own headers, of which none holds a model, and which
 /// need no library.
 void add_vocabulary(std::vector<Made>& all) {
-  const fs::path answer = data_folder() / "answer";
+  const fs::path answer = data_folder() / "answer", installed = data_folder() / "rasterizer";
   all.push_back({"answer/model.h", studio::read_text(answer / "model.h")});
-  for (const char* name : {"batch.h", "batch_trigonometry.h"})
-    all.push_back(
-        {std::string("rasterizer/") + name, studio::read_text(answer / "rasterizer" / name)});
-  // Installed for students they lie beside answer/; in the source, where the engine is.
-  fs::path engine = data_folder() / "rasterizer";
-  if (!fs::is_directory(engine)) engine = data_folder() / "../../rasterizer";
+  const auto add = [&](const char* name, const fs::path& in_the_source) {
+    const fs::path folder = fs::is_directory(installed) ? installed : in_the_source;
+    all.push_back({std::string("rasterizer/") + name, studio::read_text(folder / name)});
+  };
+  for (const char* name : {"batch.h", "batch_trigonometry.h"}) add(name, answer / "rasterizer");
   for (const char* name :
        {"cosines.h", "light_source.h", "reflection_model.h", "scalar_math.h", "vec.h"})
-    all.push_back({std::string("rasterizer/") + name, studio::read_text(engine / name)});
+    add(name, data_folder() / "../../rasterizer");
 }
 
 }  // namespace
