@@ -12,14 +12,13 @@ const EightBitEncoder& encoder(bool srgb) {
   return encoders[srgb];
 }
 
-/// IEC 61966-2-1, from linear light 0..1. Maximum error: 5e-7.
+}  // namespace
+
 Batch srgb_from_linear(const Batch& x) {
   // Below 0.0031308 the power is not used, and near 0 its logarithm would be costly subnormals'.
   const Batch power = exp(Batch(1 / 2.4) * log(max(x, Batch(0.003f))));
   return select(x <= Batch(0.0031308f), Batch(12.92f) * x, mul_add(1.055f, power, -0.055f));
 }
-
-}  // namespace
 
 // limit_: half a code less 255 times the error above, or what rounding the product (2^-17) and the
 // border to float adds.

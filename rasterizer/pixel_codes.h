@@ -27,6 +27,9 @@ struct ColourTarget {
   }
 };
 
+/// The encoding of IEC 61966-2-1, from linear light 0..1. Maximum error: 5e-7.
+Batch srgb_from_linear(const Batch& x);
+
 /// The same codes as EightBitEncoder's, to the last float. NaN becomes 0.
 class PixelEncoder {
  public:

@@ -52,7 +52,8 @@ class Resolver {
     const Rect& touched = visibility_.touched;
     for (int y = touched.y_begin; y < touched.y_end; ++y)
       resolve_row(y, touched, visibility_.samples == 1 ? sample_row(0, y) : whole_pixels(y));
-    collector_.flush(shade_);
+    resolve_split_pixels();
+    flush();
     return covered_pixels_;
   }
 
@@ -60,7 +61,7 @@ class Resolver {
   void run(TriangleId only, const Rect& pixels) {
     for (int y = pixels.y_begin; y < pixels.y_end; ++y)
       resolve_row(y, pixels, pixels_of(only, y, pixels));
-    collector_.flush(shade_);
+    flush();
   }
 
  private:
@@ -122,11 +123,11 @@ class Resolver {
 
   void resolve_run(int begin, int end, int y, TriangleId id) {
     if (id == no_triangle) return;
+    covered_pixels_ += end - begin;
     if (id == mixed) {
-      for (int x = begin; x < end; ++x) split_pixel(x, y);
+      for (int x = begin; x < end; ++x) split_pixels_.push_back({x, y, 0});
       return;
     }
-    covered_pixels_ += end - begin;
     const DrawnTriangle& drawn = *visibility_.triangles[id];
     FragmentSpan& span = span_of(drawn);
     while (begin < end) {
@@ -265,30 +266,57 @@ class Resolver {
     close(drawn, clockwise, count, 1, count, span);
   }
 
-  /// One fragment for each triangle seen in a pixel, at the pixel's centre where the triangle
+  /// A pixel whose samples see several triangles.
+  struct SplitPixel {
+    int x, y;
+    int sample;  // the next one to look at
+  };
+
+  /// One fragment for each triangle seen in a pixel, in the order of their first samples: first the
+  /// first ones of all pixels, then the second ones, ... So a pixel's sum is the same to the bit
+  /// whatever spans its fragments lie in.
+  void resolve_split_pixels() {
+    while (!split_pixels_.empty()) {
+      std::erase_if(split_pixels_, [&](SplitPixel& pixel) { return !append_next(pixel); });
+      flush();
+    }
+  }
+
+  /// False: the pixel has no more fragments. They lie at the pixel's centre where the triangle
   /// covers it, else at the centroid of the samples that see it: never outside the triangle, where
   /// attributes would be extrapolated.
-  void split_pixel(int x, int y) {
-    ++covered_pixels_;
+  bool append_next(SplitPixel& pixel) {
+    const auto [x, y, from] = pixel;
+    const auto seen_by = [&](int sample) { return sample_row(sample, y)[x]; };
+    const auto is_new = [&](int sample) {
+      for (int s = 0; s < sample; ++s)
+        if (seen_by(s) == seen_by(sample)) return false;
+      return seen_by(sample) != no_triangle;
+    };
+    int first = from;
+    while (first < visibility_.samples && !is_new(first)) ++first;
+    if (first == visibility_.samples) return false;
+    pixel.sample = first + 1;
+
     const auto offsets = sample_offsets(visibility_.samples);
-    const double centre_x = x * subpixel + half_pixel, centre_y = y * subpixel + half_pixel;
-    for (int s = 0; s < visibility_.samples; ++s) {
-      const TriangleId id = sample_row(s, y)[x];
-      int first = 0;
-      while (sample_row(first, y)[x] != id) ++first;
-      if (first < s || id == no_triangle) continue;  // done before, or the background
-      int count = 0;
-      double sum_x = 0, sum_y = 0;
-      for (int i = s; i < visibility_.samples; ++i) {
-        if (sample_row(i, y)[x] != id) continue;
-        ++count, sum_x += offsets[std::size_t(i)].x, sum_y += offsets[std::size_t(i)].y;
-      }
-      const DrawnTriangle& drawn = *visibility_.triangles[id];
-      const bool centred = ExactWeights(frame_, drawn).holds(centre_x, centre_y);
-      append_exactly(drawn, centre_x + (centred ? 0 : sum_x / count),
-                     centre_y + (centred ? 0 : sum_y / count), packed_pixel(x, y), 1,
-                     float(count) / float(visibility_.samples), span_of(drawn));
+    int count = 0;
+    double sum_x = 0, sum_y = 0;
+    for (int s = first; s < visibility_.samples; ++s) {
+      if (seen_by(s) != seen_by(first)) continue;
+      ++count, sum_x += offsets[std::size_t(s)].x, sum_y += offsets[std::size_t(s)].y;
     }
+    const DrawnTriangle& drawn = *visibility_.triangles[seen_by(first)];
+    const double centre_x = x * subpixel + half_pixel, centre_y = y * subpixel + half_pixel;
+    const bool centred = ExactWeights(frame_, drawn).holds(centre_x, centre_y);
+    append_exactly(drawn, centre_x + (centred ? 0 : sum_x / count),
+                   centre_y + (centred ? 0 : sum_y / count), packed_pixel(x, y), 1,
+                   float(count) / float(visibility_.samples), span_of(drawn));
+    return true;
+  }
+
+  void flush() {
+    collector_.flush(shade_);
+    span_ = nullptr;
   }
 
   /// Large triangles come back row after row.
@@ -313,6 +341,7 @@ class Resolver {
   bool perspective_;
   FragmentSpan* span_ = nullptr;  // the one that was filled last
   std::vector<TriangleId> row_;
+  std::vector<SplitPixel> split_pixels_;
   std::array<LargeTriangle, 64> large_;
   std::unordered_map<TriangleId, StripStrides> strips_;
   std::int64_t covered_pixels_ = 0;

@@ -122,7 +122,8 @@ Tried find_strides(const Frame& frame, const Chunk& chunk, std::size_t number) {
   if (tried.pixels >= min_pixels * count) {
     raise(frame, triangles, 1, found);
     // Four times the work, for sharper bounds.
-    if (kept() >= min_pixels_kept * count && kept() < tried.pixels) raise(frame, triangles, 4, found);
+    if (kept() >= min_pixels_kept * count && kept() < tried.pixels)
+      raise(frame, triangles, 4, found);
     for (std::size_t i = 0; i < triangles.size(); ++i)
       if (triangles[i].piece != DrawnTriangle::not_cut) found[i] = 1;
     tried.kept = kept();

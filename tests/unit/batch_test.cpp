@@ -53,6 +53,25 @@ TEST(Batch, ArithmeticIsScalarFloatToTheBit) {
   }
 }
 
+// The processor's own estimate is refined: a step less, or one of a coarser estimate, shows.
+TEST(Batch, ReciprocalAndInverseSqrtKeepToTheirErrors) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> power(-125, 125);
+  for (int round = 0; round < 20000; ++round) {
+    std::array<float, 16> x;
+    for (float& a : x) a = float(std::exp2(power(random)));
+    if (round == 0) x[0] = 0x1p-125f, x[1] = 0x1p125f;
+    const auto r = lanes_of(reciprocal(batch_of(x))), minus = lanes_of(reciprocal(-batch_of(x))),
+               root = lanes_of(inverse_sqrt(batch_of(x)));
+    for (std::size_t i = 0; i < r.size(); ++i) {
+      const double a = double(x[i]);
+      ASSERT_LE(std::abs(double(r[i]) * a - 1), 1.2e-7) << a;
+      ASSERT_EQ(minus[i], -r[i]) << a;
+      ASSERT_LE(std::abs(double(root[i]) * std::sqrt(a) - 1), 1.5e-7) << a;
+    }
+  }
+}
+
 TEST(Batch, MulAddIsRoundedOnceOrTwice) {
   std::mt19937 random(2);
   std::uniform_real_distribution<float> number(-10, 10);
