@@ -19,7 +19,7 @@ struct NewOptions {
 
 void hand_out_new(const NewOptions& options) {
   const auto& assignment = assignments::assignment(options.id);
-  const int seed = parse_integer("--seed", options.seed, {0, 2147483647});
+  const int seed = parse_integer("--seed", options.seed, {0, 999999});
   const HoldInterrupts until_written;
   assignments::hand_out(assignment, std::uint64_t(seed), options.folder);
   std::cout << options.folder << ": " << assignment.id << ", " << assignment.title << ", variant "

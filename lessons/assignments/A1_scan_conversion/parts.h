@@ -22,7 +22,7 @@ Finding test_span(Examination& e);    // A1.4
 Finding test_scan_convert(Examination& e);  // A1.5
 
 /// Fragments of the student's scan_convert(): with the judge's own earlier stages, or with all the
-/// student's. At most four times as many as the picture has pixels.
+/// student's. At most twice as many as the picture has pixels.
 std::vector<a1::Fragment> ask_fragments(Respondent& student, const ScanVariant& variant,
                                         const a1::Triangle& t, const a1::Picture& picture,
                                         bool alone);

@@ -69,29 +69,80 @@ Framebuffer box_teapot() {
 
 namespace {
 
+struct Asked {
+  Triangle triangle;
+  std::vector<Fragment> fragments;  // the student's
+};
+
+/// How the variant decides at a pixel, edge by edge.
+std::string derivation(const ScanVariant& variant, const Triangle& t, int column, int row) {
+  Edge edges[3];
+  if (!right_edges(variant, t, edges)) return "has no area";
+  std::string text;
+  for (const Edge& edge : edges) {
+    const std::int64_t value = value_at(variant, edge, column, row);
+    text += (text.empty() ? "E = " : ", ") + std::to_string(value);
+    if (value == 0) text += edge.owned ? " (on an edge that is owned)" : " (on one that is not)";
+  }
+  return text;
+}
+
+bool holds(const std::vector<Fragment>& fragments, int column, int row) {
+  return std::ranges::any_of(fragments,
+                             [&](const Fragment& f) { return f.column == column && f.row == row; });
+}
+
+/// Where yours and the right coverage of a pixel part, for the first triangle of which they do.
+std::string explain(const ScanVariant& variant, const std::vector<Asked>& all,
+                    const Picture& picture, int column, int row) {
+  for (const Asked& asked : all) {
+    const bool yours = holds(asked.fragments, column, row);
+    const bool right = holds(right_fragments(variant, asked.triangle, picture), column, row);
+    if (yours == right) continue;
+    return std::string("\n  there the triangle ") + words(asked.triangle) + "\n  " +
+           (yours ? "is covered by yours, and should not be: "
+                  : "is not covered by yours, and should be: ") +
+           derivation(variant, asked.triangle, column, row);
+  }
+  return "";
+}
+
+/// Emits fragments as the engine wants them, in spans.
+void emit_runs(const ScanVariant& variant, const std::vector<Fragment>& fragments,
+               const EmitSpan& emit) {
+  for (std::size_t i = 0, end; i < fragments.size(); i = end) {
+    const Fragment& first = fragments[i];
+    for (end = i + 1; end < fragments.size() && fragments[end].row == first.row &&
+                      fragments[end].column == first.column + int(end - i);)
+      ++end;
+    emit(engine_row(variant, first.row, picture_height), first.column, first.column + int(end - i));
+  }
+}
+
 /// The engine's teapot, of the student's fragments.
 Finding test_teapot(Examination& e, const ScanVariant& variant) {
   const Picture picture{picture_width, picture_height};
   std::string complaint;
+  std::vector<Asked> all;
   const Framebuffer fresh =
       teapot_by([&](const ScreenTriangle& screen, const Rect&, const EmitSpan& emit) {
         const Triangle t = in_variant(variant, screen, picture_height);
-        for (const Fragment& f : ask_fragments(e.student, variant, t, picture, false)) {
-          const std::string where = outside(f, picture);
-          if (!where.empty() && complaint.empty())
-            complaint = "The triangle " + words(t) + ": " + where + ".";
-          emit(engine_row(variant, f.row, picture_height), f.column, f.column + 1);
-        }
+        all.push_back({t, ask_fragments(e.student, variant, t, picture, false)});
+        for (const Fragment& f : all.back().fragments)
+          if (complaint.empty() && !outside(f, picture).empty())
+            complaint = "The triangle " + words(t) + ": " + outside(f, picture) + ".";
+        emit_runs(variant, all.back().fragments, emit);
       });
   const Framebuffer reference = right_teapot(variant);
   e.pictures.push_back(judged("A1.6-teapot", "A teapot of your fragments", fresh, reference));
   if (const auto off = first_difference(e.pictures.back(), 0)) {
     const auto pixel = std::size_t(off->y * picture_width + off->x);
+    const int row = engine_row(variant, off->y, picture_height);
     complaint = "The teapot: " + std::to_string(off->count) +
                 " pixels differ, first that at column " + std::to_string(off->x) + ", row " +
-                std::to_string(engine_row(variant, off->y, picture_height)) +
-                ":\n  yours:     " + what_is_there(fresh, pixel) +
+                std::to_string(row) + ":\n  yours:     " + what_is_there(fresh, pixel) +
                 "\n  should be: " + what_is_there(reference, pixel) +
+                explain(variant, all, picture, off->x, row) +
                 (complaint.empty() ? "" : "\n" + complaint);
   }
   return complaint.empty() ? Finding() : Finding::wrong(complaint);
@@ -174,7 +225,9 @@ Finding test_picture(Examination& e) {
   const ScanVariant variant = scan_variant(e.variant);
   const Finding of_mosaic = test_mosaic(e, variant);
   const Finding of_teapot = test_teapot(e, variant);
-  return of_mosaic.share < 1 ? of_mosaic : of_teapot;
+  if (of_mosaic.share == 1 || of_teapot.share == 1)
+    return of_mosaic.share < 1 ? of_mosaic : of_teapot;
+  return Finding::wrong(of_mosaic.message + "\n" + of_teapot.message);
 }
 
 }  // namespace scanlit::assignments::scan

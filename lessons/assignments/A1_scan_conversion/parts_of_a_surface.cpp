@@ -42,7 +42,7 @@ std::vector<Fragment> ask_fragments(Respondent& student, const ScanVariant& vari
                                     const Triangle& t, const Picture& picture, bool alone) {
   Numbers question{.integers = {alone, picture.width, picture.height}, .reals = {}};
   put(t, question.integers);
-  const auto most = std::size_t(8) * std::size_t(picture.width * picture.height);
+  const auto most = std::size_t(4) * std::size_t(picture.width * picture.height);
   const auto counsel = [&](int kind, const Numbers& asked) {
     return right_answer(variant, kind, asked);
   };

@@ -16,9 +16,16 @@ std::string printable(std::string text) {
   return text;
 }
 
-void print_indented(std::ostream& out, const std::string& text, const char* indent) {
+void print_indented(std::ostream& out, const std::string& text, const char* indent,
+                    int most_lines = 1000) {
   std::istringstream lines(printable(text));
-  for (std::string line; std::getline(lines, line);) out << indent << line << '\n';
+  for (std::string line; std::getline(lines, line); --most_lines) {
+    if (most_lines == 0) {
+      out << indent << "...\n";
+      return;
+    }
+    out << indent << line << '\n';
+  }
 }
 
 }  // namespace
@@ -45,7 +52,7 @@ void print_report(std::ostream& out, const Assignment& assignment, const Verdict
       print_indented(out, test.message, "        ");
       if (!test.printed.empty()) {
         out << "        Your program printed:\n";
-        print_indented(out, test.printed, "          ");
+        print_indented(out, test.printed, "          ", 12);
       }
       out << '\n';
     }

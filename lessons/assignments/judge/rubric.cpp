@@ -21,7 +21,7 @@ toml::table parse(const std::filesystem::path& file) {
 }
 
 std::uint64_t seed_of(studio::TomlTable& table, const char* key) {
-  constexpr studio::Range seeds{0, 2147483647};
+  constexpr studio::Range seeds{0, 999999};
   return std::uint64_t(table.integer(key, seeds).value_or(1));
 }
 
