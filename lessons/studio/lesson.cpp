@@ -1,5 +1,6 @@
 #include "lessons/studio/lesson.h"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <filesystem>
 #include <iostream>

@@ -1,5 +1,6 @@
 #include "lessons/studio/program.h"
 
+#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
 #include <new>

@@ -2,11 +2,14 @@
 // code, an unknown option gets a suggestion, and a signal leaves no half-written file.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <array>
 #include <csignal>
 #include <functional>
 #include <string>
+
+namespace CLI {
+class App;  // not its header, which takes seconds to compile
+}
 
 namespace scanlit::studio {
 

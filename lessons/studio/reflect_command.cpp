@@ -7,6 +7,9 @@
 #include "rasterizer/error.h"
 
 namespace scanlit::studio {
+
+bool ReflectOptions::given(const std::string& option) const { return app->count(option) > 0; }
+
 namespace {
 
 struct Action {

@@ -1,5 +1,6 @@
 #include "lessons/studio/render_options.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 
 #include "lessons/studio/text.h"

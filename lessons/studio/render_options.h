@@ -2,7 +2,6 @@
 // there is to see are those of `scanlit frames`, too.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -10,6 +9,11 @@
 
 #include "lessons/studio/description.h"
 #include "lessons/studio/scene_file.h"
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
 
 namespace scanlit::studio {
 

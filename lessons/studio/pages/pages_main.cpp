@@ -1,5 +1,6 @@
 // lesson_pages [NAME...]: runs the lessons (all), and makes their pages' pictures, code and figures
 // anew, and the contact sheet of all. lessons/pages builds it and runs it.
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <iostream>

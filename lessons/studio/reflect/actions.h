@@ -1,9 +1,12 @@
 // What `scanlit reflect` can be told to do.
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
+
+namespace CLI {
+class App;
+}
 
 namespace scanlit::studio {
 
@@ -14,7 +17,7 @@ struct ReflectOptions {
   bool logarithmic = false, terms = false, furnace = false, reciprocity = false;
   CLI::App* app = nullptr;
 
-  bool given(const std::string& option) const { return app->count(option) > 0; }
+  bool given(const std::string& option) const;
 };
 
 // Each throws Error; text goes to -o or the terminal, everything else to -o.
