@@ -114,9 +114,9 @@ Finding test_owns(Examination& e) {
     const bool got = e.student.ask(ask_owns, question, AnswerSize::integers(1)).integers[0] != 0;
     if (got == right_owns(variant, edge)) continue;
     return Finding::wrong(
-        "The edge E(p) = " + std::to_string(edge.a) + " x + " + std::to_string(edge.b) + " y + " +
-        std::to_string(edge.c) + " is " + kind_of(variant, edge) + ".\nBy the " + rule_of(variant) +
-        " rule its points " + (got ? "are not" : "are") +
+        "The edge with a = " + std::to_string(edge.a) + ", b = " + std::to_string(edge.b) +
+        ", c = " + std::to_string(edge.c) + " is " + kind_of(variant, edge) + ".\nBy the " +
+        rule_of(variant) + " rule its points " + (got ? "are not" : "are") +
         " the triangle's; your owns() says that they " + (got ? "are." : "are not."));
   }
   return {};

@@ -57,6 +57,7 @@ void print_report(std::ostream& out, const Assignment& assignment, const Verdict
       out << '\n';
     }
   }
+  if (!verdict.tests.empty() && verdict.tests.back().message.empty()) out << '\n';
   row("", "Total", "", points(verdict), max_points(verdict));
   if (!verdict.built && !verdict.tests.empty()) {
     out << '\n' << verdict.tests.front().message << '\n';
