@@ -130,8 +130,9 @@ class Resolver {
     }
     const DrawnTriangle& drawn = *visibility_.triangles[id];
     FragmentSpan& span = span_of(drawn);
+    if (!span.may_stride) return append_all(id, drawn, begin, y, end, span);
     while (begin < end) {
-      const auto [stride, until] = stride_at(id, drawn, begin, y, end, span);
+      const auto [stride, until] = stride_at(id, drawn, begin, y, end);
       if (stride > 1)
         append_some(id, drawn, begin, y, until - begin, stride, span);
       else
@@ -144,9 +145,8 @@ class Resolver {
   struct Stretch {
     int stride, until;
   };
-  Stretch stride_at(TriangleId id, const DrawnTriangle& drawn, int x, int y, int end,
-                    const FragmentSpan& span) {
-    if (!span.may_stride || end - x <= 3) return {1, end};
+  Stretch stride_at(TriangleId id, const DrawnTriangle& drawn, int x, int y, int end) {
+    if (end - x <= 3) return {1, end};
     if (!is_large(drawn)) return {stride_of(frame_, drawn), end};
     StripStrides& strip = strips_[id];
     if (y >= strip.y_end) strip = strides_in(frame_, drawn, visibility_.rect, y);
