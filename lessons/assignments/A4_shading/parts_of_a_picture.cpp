@@ -82,21 +82,81 @@ Colour colour_at(const Framebuffer& picture, int x, int y) {
 /// A step of 8 bits may be crossed by rounding.
 constexpr int tolerance = 1;
 
+Colour right_colour(const ShadingVariant& variant, Interpolated what, const Vertex (&triangle)[3],
+                    const Weights& w, const Scene& scene) {
+  const auto& [a, b, c] = triangle;
+  const auto lit = [&](const Vertex& v) { return right_vertex(variant, v, scene); };
+  if (what == Interpolated::normals) return right_fragment(variant, triangle, w, scene);
+  if (what == Interpolated::colours) return right_between({lit(a), lit(b), lit(c)}, w);
+  return 0.5 * (unit(a.normal) + Vector{1, 1, 1});
+}
+
+/// A fragment of the wrong colour.
+struct Fault {
+  Vertex triangle[3];
+  Weights weights;
+};
+
+/// Both ways to it, step by step: the student's functions on the right results of the step before.
+std::string derive(Examination& e, const Fault& fault, Interpolated what, const Scene& scene) {
+  const ShadingVariant variant = shading_variant(e.variant);
+  const auto step = [&](const char* name, int kind, const Numbers& question, Vector right) {
+    return std::string("\n    ") + name + "  yours " + words(ask(e, kind, question)) +
+           ", should be " + words(right);
+  };
+  const auto light_at = [&](Vector normal, Vector position) {
+    const Vector to_viewer = unit(scene.eye - position);
+    Numbers question;
+    put(normal, question), put(to_viewer, question), put(scene, question);
+    return step("light: ", ask_light, question, right_light(variant, normal, to_viewer, scene));
+  };
+  const auto& [a, b, c] = fault.triangle;
+  std::string text =
+      "\n  one such fragment, with weights " +
+      words(Vector{fault.weights.corner[0], fault.weights.corner[1], fault.weights.corner[2]}) +
+      ", step by step:";
+  Numbers between;
+  if (what == Interpolated::normals) {
+    for (const Vertex& v : fault.triangle) put(v.normal, between);
+    put(fault.weights, between);
+    const Vector normal = right_normal(variant, {a.normal, b.normal, c.normal}, fault.weights);
+    return text + step("normal:", ask_normal, between, normal) +
+           light_at(normal, right_between({a.position, b.position, c.position}, fault.weights));
+  }
+  Vector corners[3];
+  for (int k = 0; k < 3; ++k) {
+    corners[k] = right_vertex(variant, fault.triangle[k], scene);
+    put(corners[k], between);
+  }
+  put(fault.weights, between);
+  Numbers vertex;
+  put(a, vertex), put(scene, vertex);
+  return text + " (light and vertex: of the first corner)" + light_at(unit(a.normal), a.position) +
+         step("vertex:", ask_vertex, vertex, corners[0]) +
+         step("between:", ask_interpolate, between, right_between(corners, fault.weights));
+}
+
 Finding test_shading(Examination& e, int kind, Interpolated what, const std::string& name) {
   const ShadingVariant variant = shading_variant(e.variant);
   const Stage stage = teapot_stage();
+  std::vector<Fault> faults;  // the first one
   const Framebuffer fresh =
       teapot(stage, [&](const Vertex(&triangle)[3], const std::vector<Weights>& weights) {
         Numbers question;
         for (const Vertex& vertex : triangle) put(vertex, question);
         put(stage.shaded, question);
         question.integers.push_back(std::int64_t(weights.size()));
-        for (const Weights& w : weights)
-          question.reals.insert(question.reals.end(), w.corner, w.corner + 3);
+        for (const Weights& w : weights) put(w, question);
         const auto size = AnswerSize::reals(3 * weights.size());
         const std::vector<double> r = e.student.ask(kind, question, size).reals;
         std::vector<Colour> colours;
-        for (std::size_t i = 0; i < r.size(); i += 3) colours.push_back({r[i], r[i + 1], r[i + 2]});
+        for (std::size_t i = 0; i < weights.size(); ++i) {
+          colours.push_back({r[3 * i], r[3 * i + 1], r[3 * i + 2]});
+          const Vector off =
+              colours[i] - right_colour(variant, what, triangle, weights[i], stage.shaded);
+          if (faults.empty() && dot(off, off) > 1e-4)
+            faults.push_back({{triangle[0], triangle[1], triangle[2]}, weights[i]});
+        }
         return colours;
       });
   const Framebuffer reference = right_teapot(variant, what);
@@ -108,7 +168,8 @@ Finding test_shading(Examination& e, int kind, Interpolated what, const std::str
                         " pixels differ, first that at column " + std::to_string(off->x) +
                         ", row " + std::to_string(off->y) +
                         ":\n  yours:     " + words(colour_at(fresh, off->x, off->y)) +
-                        "\n  should be: " + words(colour_at(reference, off->x, off->y)));
+                        "\n  should be: " + words(colour_at(reference, off->x, off->y)) +
+                        (faults.empty() ? "" : derive(e, faults[0], what, stage.shaded)));
 }
 
 }  // namespace
@@ -116,14 +177,9 @@ Finding test_shading(Examination& e, int kind, Interpolated what, const std::str
 Framebuffer right_teapot(const ShadingVariant& variant, Interpolated what) {
   const Stage stage = teapot_stage();
   return teapot(stage, [&](const Vertex(&triangle)[3], const std::vector<Weights>& weights) {
-    const auto& [a, b, c] = triangle;
-    const auto lit = [&](const Vertex& v) { return right_vertex(variant, v, stage.shaded); };
     std::vector<Colour> colours;
     for (const Weights& w : weights)
-      colours.push_back(what == Interpolated::normals
-                            ? right_fragment(variant, triangle, w, stage.shaded)
-                        : what == Interpolated::colours ? right_between({lit(a), lit(b), lit(c)}, w)
-                                                        : 0.5 * (unit(a.normal) + Vector{1, 1, 1}));
+      colours.push_back(right_colour(variant, what, triangle, w, stage.shaded));
     return colours;
   });
 }
