@@ -3,11 +3,19 @@
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <map>
 
 namespace scanlit::test {
+
+std::string name_of_layers(const testing::TestParamInfo<sandbox::Layers>& layers) {
+  std::string name;
+  for (const char c : sandbox::in_force(layers.param))
+    name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+  return name;
+}
 
 bool thorough() { return std::getenv("SCANLIT_LONG"); }
 

@@ -2,6 +2,8 @@
 // the layers that a test asks for.
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <string>
 #include <vector>
 
@@ -68,5 +70,23 @@ class HostileProgram {
 
   sandbox::Sandbox box_;
 };
+
+/// Tests that are run behind each of shown_layers().
+class Hostile : public testing::TestWithParam<sandbox::Layers> {
+ protected:
+  HostileProgram program(const std::string& source) const {
+    return HostileProgram(source, GetParam());
+  }
+};
+
+/// What the tiny programs include.
+inline const std::string headers =
+    "#include <errno.h>\n#include <initializer_list>\n#include <fcntl.h>\n#include <signal.h>\n"
+    "#include <stdio.h>\n#include <stdlib.h>\n#include <string.h>\n"
+    "#include <sys/socket.h>\n#include <sys/stat.h>\n"
+    "#include <sys/wait.h>\n#include <unistd.h>\n";
+
+/// A test's name says the layers.
+std::string name_of_layers(const testing::TestParamInfo<sandbox::Layers>& layers);
 
 }  // namespace scanlit::test

@@ -36,12 +36,13 @@ constexpr const char* allowed[] = {
     "rseq", "sched_getaffinity", "sched_getparam", "sched_getscheduler", "sched_yield",
     "set_robust_list", "set_tid_address", "setitimer", "setpgid", "setrlimit", "setsid", "sysinfo",
     "times", "uname", "wait4", "waitid",
-    // time, signals, waiting
+    // time, signals to threads (which abort() sends; kill() could end all of a user's processes),
+    // waiting
     "clock_getres", "clock_gettime", "clock_nanosleep", "epoll_create1", "epoll_ctl", "epoll_pwait",
-    "epoll_wait", "eventfd2", "futex", "gettimeofday", "kill", "nanosleep", "pause", "poll",
-    "ppoll", "pselect6", "restart_syscall", "rt_sigaction", "rt_sigpending", "rt_sigprocmask",
-    "rt_sigqueueinfo", "rt_sigreturn", "rt_sigsuspend", "rt_sigtimedwait", "select", "sigaltstack",
-    "tgkill", "time", "tkill"};
+    "epoll_wait", "eventfd2", "futex", "gettimeofday", "nanosleep", "pause", "poll", "ppoll",
+    "pselect6", "restart_syscall", "rt_sigaction", "rt_sigpending", "rt_sigprocmask",
+    "rt_sigreturn", "rt_sigsuspend", "rt_sigtimedwait", "select", "sigaltstack", "tgkill", "time",
+    "tkill"};
 
 void allow(scmp_filter_ctx filter, const char* call) {
   const int number = seccomp_syscall_resolve_name(call);
