@@ -3,40 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "rasterizer/edge_functions.h"
 #include "rasterizer/scalar_math.h"
 
 namespace scanlit {
-
-WeightPlanes::WeightPlanes(const DrawnTriangle& drawn) {
-  const auto& [a, b, c] = drawn.vertices;
-  const auto whole = screen_triangle(a, b, c);
-  const double scale = 1.0 / double(whole.twice_area);
-  x_ = a.x >> 8, y_ = a.y >> 8;
-  const std::int64_t x = x_ * subpixel + half_pixel, y = y_ * subpixel + half_pixel;
-  const double width = double(std::max({a.x, b.x, c.x}) - std::min({a.x, b.x, c.x}));
-  const double height = double(std::max({a.y, b.y, c.y}) - std::min({a.y, b.y, c.y}));
-  precise_ = drawn.piece == DrawnTriangle::not_cut;
-
-  // The weight of the corner opposite to an edge, over w.
-  double plane[3][3];
-  for (int k = 0; k < 3; ++k) {
-    const ScreenVertex &from = drawn.vertices[(k + 1) % 3], &to = drawn.vertices[(k + 2) % 3];
-    const double right = double(to.y - from.y) * scale, below = double(from.x - to.x) * scale;
-    precise_ = precise_ && std::abs(right) * width + std::abs(below) * height <= 4;
-    const double inv_w = double(drawn.vertices[k].inv_w);
-    plane[k][0] = double(edge_function(from, to, x, y)) * scale * inv_w;
-    plane[k][1] = right * subpixel * inv_w, plane[k][2] = below * subpixel * inv_w;
-  }
-  const auto [least, greatest] = std::minmax({a.inv_w, b.inv_w, c.inv_w});
-  precise_ = precise_ && greatest <= 2 * least;
-  const auto in_float = [](double first, double right, double below) {
-    return Plane{float(first), float(right), float(below)};
-  };
-  b1_ = in_float(plane[1][0], plane[1][1], plane[1][2]);
-  b2_ = in_float(plane[2][0], plane[2][1], plane[2][2]);
-  const auto sum = [&](int i) { return plane[0][i] + plane[1][i] + plane[2][i]; };
-  sum_ = in_float(sum(0), sum(1), sum(2));
-}
 
 ExactWeights::ExactWeights(const Frame& frame, const DrawnTriangle& drawn)
     : drawn_(drawn),
@@ -101,21 +71,6 @@ void divide_by_w(const DrawnTriangle& triangle, Batch (&b)[3]) {
 
 }  // namespace
 
-void ExactWeights::store_derivatives(const Batch (&linear)[3], int at, FragmentSpan& span) const {
-  const auto& [a, b, c] = drawn_.vertices;
-  const double inv_w[3] = {perspective_ ? double(a.inv_w) : 1, perspective_ ? double(b.inv_w) : 1,
-                           perspective_ ? double(c.inv_w) : 1};
-  const double pixel = subpixel / twice_area_;
-  const Growth right({(c.y - b.y) * pixel, (a.y - c.y) * pixel, (b.y - a.y) * pixel}, inv_w);
-  const Growth below({(b.x - c.x) * pixel, (c.x - a.x) * pixel, (a.x - b.x) * pixel}, inv_w);
-  Batch w[3];
-  for (int k = 0; k < 3; ++k) w[k] = linear[k] * Batch(inv_w[k]);
-  const Batch inverse_sum = Batch(1) / (w[0] + w[1] + w[2]);
-  for (Batch& weight : w) weight = weight * inverse_sum;
-  right.at(w, inverse_sum, piece_, at, span.dx);
-  below.at(w, inverse_sum, piece_, at, span.dy);
-}
-
 Batch ExactWeights::Steps::at(const Batch& steps) const {
   const hn::ScalableTag<double> doubles;
   const hn::Rebind<float, decltype(doubles)> floats;
@@ -128,9 +83,7 @@ Batch ExactWeights::Steps::at(const Batch& steps) const {
                      half(hn::LowerHalf(floats, steps.raw)));
 }
 
-ExactWeights::Row::Row(const ExactWeights& weights, double x, double y, int first,
-                       FragmentSpan& span)
-    : weights_(weights), first_(first), span_(span) {
+ExactWeights::Row::Row(const ExactWeights& weights, double x, double y) : weights_(weights) {
   const auto& [a, b, c] = weights.drawn_.vertices;
   const double area = weights.twice_area_, scale = 1.0 / area;
   // A centroid of samples is rounded, and may lie beyond an edge by that much; 1/w would magnify
@@ -145,16 +98,8 @@ ExactWeights::Row::Row(const ExactWeights& weights, double x, double y, int firs
   linear_[2] = {e2, step_2, scale};
 }
 
-Barycentric ExactWeights::Row::at(int i) const {
-  const Batch steps = Batch::iota(float(i));
-  if (span_.with_derivatives)
-    weights_.store_derivatives({linear_[0].at(steps), linear_[1].at(steps), linear_[2].at(steps)},
-                               first_ + i, span_);
-  return at(steps);
-}
-
-Barycentric ExactWeights::Row::at(const Batch& steps) const {
-  Batch w[3] = {linear_[0].at(steps), linear_[1].at(steps), linear_[2].at(steps)};
+Barycentric ExactWeights::Row::at(const Batch& pixels) const {
+  Batch w[3] = {linear_[0].at(pixels), linear_[1].at(pixels), linear_[2].at(pixels)};
   if (weights_.perspective_) divide_by_w(weights_.drawn_, w);
   if (!weights_.piece_) return {w[1], w[2]};
   const auto& m = weights_.piece_->barycentric;
@@ -162,6 +107,71 @@ Barycentric ExactWeights::Row::at(const Batch& steps) const {
     return w[0] * Batch(m[0][vertex]) + w[1] * Batch(m[1][vertex]) + w[2] * Batch(m[2][vertex]);
   };
   return {in_source(1), in_source(2)};
+}
+
+void ExactWeights::Row::store_derivatives(const Batch& pixels, int first,
+                                          FragmentSpan& span) const {
+  const auto& [a, b, c] = weights_.drawn_.vertices;
+  const bool perspective = weights_.perspective_;
+  const double inv_w[3] = {perspective ? double(a.inv_w) : 1, perspective ? double(b.inv_w) : 1,
+                           perspective ? double(c.inv_w) : 1};
+  const double pixel = subpixel / weights_.twice_area_;
+  const Growth right({(c.y - b.y) * pixel, (a.y - c.y) * pixel, (b.y - a.y) * pixel}, inv_w);
+  const Growth below({(b.x - c.x) * pixel, (c.x - a.x) * pixel, (a.x - b.x) * pixel}, inv_w);
+  Batch w[3];
+  for (int k = 0; k < 3; ++k) w[k] = linear_[k].at(pixels) * Batch(inv_w[k]);
+  const Batch inverse_sum = Batch(1) / (w[0] + w[1] + w[2]);
+  for (Batch& weight : w) weight = weight * inverse_sum;
+  right.at(w, inverse_sum, weights_.piece_, first, span.dx);
+  below.at(w, inverse_sum, weights_.piece_, first, span.dy);
+}
+
+namespace {
+
+/// The columns of a vector of fragments, from fragment i on.
+Batch columns(const FragmentSpan& span, int i) {
+  const hn::RebindToSigned<Batch::Tag> ints;
+  const auto packed =
+      hn::BitCast(ints, hn::LoadU(hn::RebindToUnsigned<Batch::Tag>(), span.pixel + i));
+  return hn::ConvertTo(Batch::tag, hn::And(packed, hn::Set(ints, 0xffff)));
+}
+
+/// Run r begins at (x, y), in 1/256 pixel.
+void put_exactly(const Frame& frame, int r, double x, double y, FragmentSpan& span) {
+  const Run& run = span.runs[r];
+  const ExactWeights weights(frame, *run.drawn);
+  const ExactWeights::Row row(weights, x, y);
+  const Batch first(float(span.pixel[run.first] & 0xffff));
+  const int end = run.first + run.size;
+  for (int i = run.first; i < end; i += Batch::lanes) {
+    const Batch pixels = columns(span, i) - first;
+    const auto own = Batch::iota(float(i)) < Batch(end);  // the next run has its own already
+    const auto [b1, b2] = row.at(pixels);
+    select(own, b1, Batch::load(span.b1 + i)).store(span.b1 + i);
+    select(own, b2, Batch::load(span.b2 + i)).store(span.b2 + i);
+    if (span.with_derivatives) row.store_derivatives(pixels, i, span);
+  }
+}
+
+}  // namespace
+
+void put_barycentric(const Frame& frame, FragmentSpan& span) {
+  const EdgeFunctions edges(frame.settings.interpolation == Interpolation::perspective, span);
+  for (int i = 0; i < span.size; i += Batch::lanes) {
+    const OfRuns of(span.run + i);
+    const Batch column = columns(span, i);
+    const Batch w0 = edges.at(of, 0, column), w1 = edges.at(of, 1, column),
+                w2 = edges.at(of, 2, column);
+    const Batch inverse_sum = reciprocal(w0 + w1 + w2);
+    (w1 * inverse_sum).store(span.b1 + i);
+    (w2 * inverse_sum).store(span.b2 + i);
+  }
+  for (const int r : edges.others()) {
+    const std::uint32_t pixel = span.pixel[span.runs[r].first];
+    put_exactly(frame, r, double(pixel & 0xffff) * subpixel + half_pixel,
+                double(pixel >> 16) * subpixel + half_pixel, span);
+  }
+  for (const auto& [r, x, y] : span.centroids) put_exactly(frame, r, x, y, span);
 }
 
 }  // namespace scanlit

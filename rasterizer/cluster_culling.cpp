@@ -119,9 +119,10 @@ bool ClusterCuller::back_facing(const Cluster& cluster, const Extent& e) const {
   };
   const glm::dvec2 h = moved_and_stretched(x, length_x, e.centre.x, e.error.x, half_width_);
   const glm::dvec2 v = moved_and_stretched(y, length_y, e.centre.y, e.error.y, half_height_);
-  const double moved = std::hypot(h.x, v.x);
+  const double moved = glm::length(glm::dvec2(h.x, v.x));
   // The place on the screen, and with it the stretch, differs over the cluster.
-  const double stretch = std::hypot(h.y, v.y) / e.least_w * (1 + length_w * e.radius / e.least_w);
+  const double stretch =
+      glm::length(glm::dvec2(h.y, v.y)) / e.least_w * (1 + length_w * e.radius / e.least_w);
   const double most_w = e.centre.w + length_w * e.radius;
   const double height = half_width_ * half_height_ * -towards * double(cluster.height) /
                         (most_w * most_w * most_w * stretch);

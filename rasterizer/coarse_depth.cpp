@@ -64,6 +64,8 @@ class Outline {
       e.per_row = double(flip ? b.x - a.x : a.x - b.x);
       e.at_origin =
           -e.per_column * (a.x - half_pixel) / subpixel - e.per_row * (a.y - half_pixel) / subpixel;
+      // Within a block of 16 x 8 float is off by less than 2^-18 of the slopes.
+      e.at_origin += 0x1p-16 * (std::abs(e.per_column) + std::abs(e.per_row));
     }
   }
 
@@ -71,16 +73,13 @@ class Outline {
   template <int count>
   bool misses(int x, int y, const float (&column)[count], const float (&row)[count]) const {
     for (const Edge& edge : edges_) {
-      const double corner = edge.at_origin + edge.per_column * x + edge.per_row * y;
-      // Within a block of 16 x 8 float is off by less than 2^-18 of the slopes.
-      const double margin = 0x1p-16 * (std::abs(edge.per_column) + std::abs(edge.per_row));
-      const Batch start(float(corner + margin)), dx(float(edge.per_column)),
-          dy(float(edge.per_row));
-      auto outside = Batch(0) < Batch(1);
+      const Batch start(float(edge.at_origin + edge.per_column * x + edge.per_row * y));
+      const Batch dx(float(edge.per_column)), dy(float(edge.per_row));
+      Batch innermost(-infinite);
       for (int i = 0; i < count; i += Batch::lanes)
-        outside =
-            outside & (start + dx * Batch::load(column + i) + dy * Batch::load(row + i) < Batch(0));
-      if (bits_of(outside) == (1u << Batch::lanes) - 1) return true;
+        innermost =
+            max(innermost, start + dx * Batch::load(column + i) + dy * Batch::load(row + i));
+      if (none(innermost >= Batch(0))) return true;
     }
     return false;
   }

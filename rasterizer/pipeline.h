@@ -315,15 +315,32 @@ inline std::size_t index_of_pixel(std::uint32_t packed, std::size_t width) {
 struct FragmentSpan {
   static constexpr int capacity = 512;
   static constexpr int padded = capacity + int(max_lanes);
+  using PerRun = float[padded];  // one number for each run
 
   const Draw* draw = nullptr;
   int size = 0, run_count = 0;
   int pixels = 0;           // of all runs
   bool may_stride = false;  // strides.h
   Run runs[capacity];
+  std::int32_t run[padded];      // of each fragment: the number of its run
   std::uint32_t pixel[padded];   // packed_pixel(); row by row, from left to right
   float weight[padded];          // share of the pixel's samples, 0..1
   float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle
+
+  ScreenVertex corners[3][padded];  // of each run's triangle, to make them of
+
+  // Runs of one fragment each that is not at its pixel's centre, and where it is, in 1/256 pixel.
+  struct Centroid {
+    int run;
+    double x, y;
+  };
+  std::vector<Centroid> centroids;
+
+  void clear() {
+    size = run_count = pixels = 0;
+    centroids.clear();
+  }
+
   // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.
   bool with_derivatives = false;
   struct Derivatives {

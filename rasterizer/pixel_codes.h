@@ -58,9 +58,10 @@ class PixelEncoder {
     Batch off;
 
     explicit Rounded(const Batch& x) {
-      const auto nearest = hn::Round(x.raw);
-      code = hn::BitCast(Tag(), hn::ConvertTo(hn::RebindToSigned<Batch::Tag>(), nearest));
-      off = abs(x - Batch(nearest));
+      // Adding 1.5 * 2^23 rounds to a whole number, which then stands in the lowest bits.
+      const Batch whole(12582912.0f), shifted = x + whole;
+      code = hn::And(hn::BitCast(Tag(), shifted.raw), hn::Set(Tag(), 255));
+      off = abs(x - (shifted - whole));
     }
   };
   static hn::Vec<Tag> packed(hn::Vec<Tag> r, hn::Vec<Tag> g, hn::Vec<Tag> b) {

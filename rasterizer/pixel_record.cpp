@@ -28,7 +28,8 @@ std::vector<PointRecord> site_points(const Frame& frame, const Run& run, Surface
   }
   surface.size = int(sites.size());
   for (int i = 0; i < surface.size; ++i)
-    put_site(draw, chunk.lit.sites[sites[std::size_t(i)]], i, surface);
+    put_site(draw, draw.object->material.model->needs(), chunk.lit.sites[sites[std::size_t(i)]], i,
+             surface);
   std::vector<PointRecord> points = light_points(frame, draw, surface);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const std::size_t first = sites[i] * std::size_t(chunk.lit.channels);
@@ -46,6 +47,7 @@ void take_fragment(const FragmentSpan& from, const Run& run, int i, FragmentSpan
   to.draw = from.draw;
   to.size = to.run_count = to.pixels = 1;
   to.runs[0] = {run.drawn, 0, 1, run.back_facing, 1, 1};
+  to.run[0] = 0;
   to.pixel[0] = from.pixel[i];
   to.weight[0] = from.weight[i];
   to.b1[0] = from.b1[i], to.b2[0] = from.b2[i];

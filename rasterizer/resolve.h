@@ -1,38 +1,17 @@
 // (8) Resolve: visible fragments, gathered into spans that are long enough for vector code.
 #pragma once
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
-#include <array>
 #include <bit>
-#include <memory>
 #include <unordered_map>
 
 #include "rasterizer/barycentric.h"
+#include "rasterizer/span_collector.h"
 #include "rasterizer/strides.h"
 
 namespace scanlit {
-
-/// The spans being filled, at most one per object. Spans are reused from tile to tile.
-class SpanCollector {
- public:
-  /// The open span of a draw; a new one if it has none.
-  FragmentSpan& span_of(const Draw& draw);
-
-  /// Hands every open span to use(span) and closes it.
-  template <class Use>
-  void flush(const Use& use) {
-    for (const std::uint32_t index : open_) {
-      use(*spans_[index]);
-      unused_.push_back(std::move(spans_[index]));
-    }
-    open_.clear();
-  }
-
- private:
-  std::vector<std::unique_ptr<FragmentSpan>> spans_;  // by Draw::index; null where not open
-  std::vector<std::uint32_t> open_;
-  std::vector<std::unique_ptr<FragmentSpan>> unused_;
-};
 
 /// Gathers what is visible in a tile; calls shade(span) for every span that is full, and at the end
 /// for what is left.
@@ -41,11 +20,7 @@ class Resolver {
  public:
   Resolver(const Frame& frame, const VisibilityTile& visibility, SpanCollector& collector,
            const Shade& shade)
-      : frame_(frame),
-        visibility_(visibility),
-        collector_(collector),
-        shade_(shade),
-        perspective_(frame.settings.interpolation == Interpolation::perspective) {}
+      : frame_(frame), visibility_(visibility), collector_(collector), shade_(shade) {}
 
   /// Returns the number of pixels that are covered, in whole or in part.
   std::int64_t run() {
@@ -65,6 +40,8 @@ class Resolver {
   }
 
  private:
+  using Unsigned = hn::RebindToUnsigned<Batch::Tag>;
+  static constexpr Unsigned unsigneds{};
   static constexpr TriangleId mixed = no_triangle - 1;
 
   // A row of triangles is indexed by the pixel's column in the picture; a vector may be read from
@@ -102,25 +79,34 @@ class Resolver {
     return row_.data() - visibility_.rect.x_begin;
   }
 
-  /// Cuts a row into runs of one triangle.
+  /// Cuts a row into runs of one triangle, and gathers them.
   void resolve_row(int y, const Rect& pixels, const TriangleId* row) {
-    const hn::RebindToUnsigned<Batch::Tag> ids;
-    int begin = pixels.x_begin;
-    for (int x = begin; x < pixels.x_end; x += Batch::lanes) {
-      const auto differs = hn::Ne(hn::LoadU(ids, row + x), hn::LoadU(ids, row + x + 1));
-      unsigned last = bits_of(Batch::Mask{hn::RebindMask(Batch::tag, differs)});
+    ends_.clear();
+    for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
+      const auto here = hn::LoadU(unsigneds, row + x), next = hn::LoadU(unsigneds, row + x + 1);
+      const Batch::Mask differs{hn::RebindMask(Batch::tag, hn::Ne(here, next))};
+      unsigned last = bits_of(differs);
       if (const int left = pixels.x_end - x; left <= Batch::lanes) {
         const unsigned final = 1u << (left - 1);
         last = (last & (final - 1)) | final;
       }
       for (; last != 0; last &= last - 1) {
         const int end = x + std::countr_zero(last) + 1;
-        resolve_run(begin, end, y, row[begin]);
-        begin = end;
+        ends_.push_back(end);
+        // Memory answers while the rest of the row is cut.
+        if (const TriangleId id = row[end - 1]; id < mixed)
+          hwy::Prefetch(visibility_.triangles[id]);
       }
+    }
+    int begin = pixels.x_begin;
+    for (const int end : ends_) {
+      resolve_run(begin, end, y, row[begin]);
+      begin = end;
     }
   }
 
+  // Called for each run, which may be of one pixel: its parts are inlined, but for those that few
+  // runs come to.
   void resolve_run(int begin, int end, int y, TriangleId id) {
     if (id == no_triangle) return;
     covered_pixels_ += end - begin;
@@ -130,13 +116,29 @@ class Resolver {
     }
     const DrawnTriangle& drawn = *visibility_.triangles[id];
     FragmentSpan& span = span_of(drawn);
-    if (!span.may_stride) return append_all(id, drawn, begin, y, end, span);
+    if (span.may_stride) return append_stretches(id, drawn, begin, y, end, span);
+    append_all(drawn, begin, y, end, span);
+  }
+
+  void append_all(const DrawnTriangle& drawn, int begin, int y, int end, FragmentSpan& span) {
+    for (; begin < end; begin += FragmentSpan::capacity) {
+      const int count = std::min(end - begin, FragmentSpan::capacity);
+      if (span.size + count > FragmentSpan::capacity) shade(span);
+      for (int i = 0; i < count; i += Batch::lanes)
+        append(hn::Iota(unsigneds, packed_pixel(begin + i, y)), 1, i, span);
+      close(drawn, count, 1, count, span);
+    }
+  }
+
+  /// Where strides are taken.
+  [[gnu::noinline]] void append_stretches(TriangleId id, const DrawnTriangle& drawn, int begin,
+                                          int y, int end, FragmentSpan& span) {
     while (begin < end) {
       const auto [stride, until] = stride_at(id, drawn, begin, y, end);
       if (stride > 1)
-        append_some(id, drawn, begin, y, until - begin, stride, span);
+        append_some(drawn, begin, y, until - begin, stride, span);
       else
-        append_all(id, drawn, begin, y, until, span);
+        append_all(drawn, begin, y, until, span);
       begin = until;
     }
   }
@@ -157,113 +159,55 @@ class Resolver {
     return {until - x > 3 ? stride : 1, until};
   }
 
-  void append_all(TriangleId id, const DrawnTriangle& drawn, int begin, int y, int end,
-                  FragmentSpan& span) {
-    while (begin < end) {
-      const int count = std::min(end - begin, FragmentSpan::capacity - span.size);
-      append(id, drawn, begin, y, count, span);
-      begin += count;
-    }
-  }
-
   FragmentSpan& span_of(const DrawnTriangle& drawn) {
-    if (!span_ || span_->draw->index != drawn.draw)
+    if (drawn.draw != span_draw_) {
       span_ = &collector_.span_of(frame_.draw_of(drawn));
+      span_draw_ = drawn.draw;
+    }
     return *span_;
   }
 
-  /// `count` pixels of a row, for which the span has room.
-  void append(TriangleId id, const DrawnTriangle& drawn, int x, int y, int count,
-              FragmentSpan& span) {
-    const std::uint32_t pixel = packed_pixel(x, y);
-    if (span.with_derivatives) {
-      append_exactly(drawn, x * subpixel + half_pixel, y * subpixel + half_pixel, pixel, count,
-                     1.0f, span);
-    } else if (SmallWeights::fits(drawn)) {
-      const SmallWeights weights(drawn, perspective_, x, y);
-      append(drawn, weights.clockwise(), weights, pixel, count, 1.0f, span);
-    } else if (const LargeTriangle& large = large_triangle(id, drawn);
-               perspective_ && large.planes.precise()) {
-      append(drawn, large.clockwise, WeightPlanes::Row(large.planes, x, y), pixel, count, 1.0f,
-             span);
-    } else {
-      append_exactly(drawn, x * subpixel + half_pixel, y * subpixel + half_pixel, pixel, count,
-                     1.0f, span);
-    }
-  }
-
-  void append_exactly(const DrawnTriangle& drawn, double x, double y, std::uint32_t pixel,
-                      int count, float weight, FragmentSpan& span) {
-    const ExactWeights weights(frame_, drawn);
-    append(drawn, weights.clockwise(), ExactWeights::Row(weights, x, y, span.size, span), pixel,
-           count, weight, span);
-  }
-
   /// Only every so many pixels, and the last.
-  void append_some(TriangleId id, const DrawnTriangle& drawn, int x, int y, int count, int stride,
+  void append_some(const DrawnTriangle& drawn, int x, int y, int count, int stride,
                    FragmentSpan& span) {
     const int size = (count - 2) / stride + 2;
-    const auto place = [&](bool clockwise, const auto& weights) {
-      if (span.size + size > FragmentSpan::capacity) shade(span);
-      const hn::RebindToUnsigned<Batch::Tag> pixels;
-      const int first = span.size;
-      for (int i = 0; i < size; i += Batch::lanes) {
-        const Batch steps = min(Batch::iota(float(i)) * Batch(stride), Batch(count - 1));
-        const auto [b1, b2] = weights.at(steps);
-        b1.store(span.b1 + first + i);
-        b2.store(span.b2 + first + i);
-        Batch(1).store(span.weight + first + i);
-        const auto columns = hn::ConvertTo(hn::RebindToSigned<Batch::Tag>(), steps.raw);
-        const auto row = hn::Set(pixels, packed_pixel(x, y));
-        hn::StoreU(hn::Add(row, hn::BitCast(pixels, columns)), pixels, span.pixel + first + i);
-      }
-      close(drawn, clockwise, size, stride, count, span);
-    };
-    if (SmallWeights::fits(drawn)) {
-      const SmallWeights weights(drawn, perspective_, x, y);
-      return place(weights.clockwise(), weights);
+    if (span.size + size > FragmentSpan::capacity) shade(span);
+    for (int i = 0; i < size; i += Batch::lanes) {
+      const auto step =
+          hn::Mul(hn::Iota(unsigneds, unsigned(i)), hn::Set(unsigneds, unsigned(stride)));
+      const auto column = hn::Min(step, hn::Set(unsigneds, unsigned(count - 1)));
+      append(hn::Add(hn::Set(unsigneds, packed_pixel(x, y)), column), 1, i, span);
     }
-    const LargeTriangle& large = large_triangle(id, drawn);
-    if (perspective_ && large.planes.precise())
-      return place(large.clockwise, WeightPlanes::Row(large.planes, x, y));
-    const ExactWeights weights(frame_, drawn);
-    return place(weights.clockwise(),
-                 ExactWeights::Row(weights, x * subpixel + half_pixel, y * subpixel + half_pixel,
-                                   span.size, span));
+    close(drawn, size, stride, count, span);
   }
 
-  /// Ends the run of the fragments that were stored last.
-  void close(const DrawnTriangle& drawn, bool clockwise, int size, int stride, int pixels,
-             FragmentSpan& span) {
-    span.runs[span.run_count++] = {.drawn = &drawn,
-                                   .first = std::uint16_t(span.size),
-                                   .size = std::uint16_t(size),
-                                   .back_facing = clockwise != span.draw->mirrored,
-                                   .stride = std::uint8_t(stride),
-                                   .pixels = std::uint16_t(pixels)};
+  /// A vector of pixels of the next run, from its fragment i on.
+  static void append(hn::Vec<Unsigned> pixel, float weight, int i, FragmentSpan& span) {
+    const hn::RebindToSigned<Batch::Tag> ints;
+    const int at = span.size + i;
+    hn::StoreU(pixel, unsigneds, span.pixel + at);
+    hn::StoreU(hn::Set(ints, span.run_count), ints, span.run + at);
+    Batch(weight).store(span.weight + at);
+  }
+
+  /// Ends the run whose pixels were appended.
+  static void close(const DrawnTriangle& drawn, int size, int stride, int pixels,
+                    FragmentSpan& span) {
+    const int r = span.run_count++;
+    for (int k = 0; k < 3; ++k) span.corners[k][r] = drawn.vertices[k];
+    span.runs[r] = {.drawn = &drawn,
+                    .first = std::uint16_t(span.size),
+                    .size = std::uint16_t(size),
+                    .back_facing = false,  // as long as it is not known
+                    .stride = std::uint8_t(stride),
+                    .pixels = std::uint16_t(pixels)};
     span.size += size, span.pixels += pixels;
-    if (span.size == FragmentSpan::capacity) shade(span);
   }
 
-  void shade(FragmentSpan& span) {
+  [[gnu::noinline]] void shade(FragmentSpan& span) {
+    put_barycentric(frame_, span);
     shade_(span);
-    span.size = span.run_count = span.pixels = 0;
-  }
-
-  /// weights.at(i): the barycentric coordinates of fragments i, i + 1, ...
-  template <class Weights>
-  void append(const DrawnTriangle& drawn, bool clockwise, const Weights& weights,
-              std::uint32_t pixel, int count, float weight, FragmentSpan& span) {
-    const hn::RebindToUnsigned<Batch::Tag> pixels;
-    const int first = span.size;
-    for (int i = 0; i < count; i += Batch::lanes) {
-      const auto [b1, b2] = weights.at(i);
-      b1.store(span.b1 + first + i);
-      b2.store(span.b2 + first + i);
-      Batch(weight).store(span.weight + first + i);
-      hn::StoreU(hn::Iota(pixels, pixel + std::uint32_t(i)), pixels, span.pixel + first + i);
-    }
-    close(drawn, clockwise, count, 1, count, span);
+    span.clear();
   }
 
   /// A pixel whose samples see several triangles.
@@ -308,41 +252,31 @@ class Resolver {
     const DrawnTriangle& drawn = *visibility_.triangles[seen_by(first)];
     const double centre_x = x * subpixel + half_pixel, centre_y = y * subpixel + half_pixel;
     const bool centred = ExactWeights(frame_, drawn).holds(centre_x, centre_y);
-    append_exactly(drawn, centre_x + (centred ? 0 : sum_x / count),
-                   centre_y + (centred ? 0 : sum_y / count), packed_pixel(x, y), 1,
-                   float(count) / float(visibility_.samples), span_of(drawn));
+    FragmentSpan& span = span_of(drawn);
+    if (span.size == FragmentSpan::capacity) shade(span);
+    const float share = float(count) / float(visibility_.samples);
+    append(hn::Set(unsigneds, packed_pixel(x, y)), share, 0, span);
+    if (!centred)
+      span.centroids.push_back(
+          {span.run_count, centre_x + sum_x / count, centre_y + sum_y / count});
+    close(drawn, 1, 1, 1, span);
     return true;
   }
 
   void flush() {
-    collector_.flush(shade_);
-    span_ = nullptr;
-  }
-
-  /// Large triangles come back row after row.
-  struct LargeTriangle {
-    TriangleId id = no_triangle;
-    bool clockwise = false;
-    WeightPlanes planes;
-  };
-  const LargeTriangle& large_triangle(TriangleId id, const DrawnTriangle& drawn) {
-    LargeTriangle& kept = large_[id % large_.size()];
-    if (kept.id != id) {
-      const auto& v = drawn.vertices;
-      kept = {id, screen_triangle(v[0], v[1], v[2]).twice_area < 0, WeightPlanes(drawn)};
-    }
-    return kept;
+    collector_.flush([this](FragmentSpan& span) { shade(span); });
+    span_draw_ = no_id;
   }
 
   const Frame& frame_;
   const VisibilityTile& visibility_;
   SpanCollector& collector_;
   const Shade& shade_;
-  bool perspective_;
-  FragmentSpan* span_ = nullptr;  // the one that was filled last
+  FragmentSpan* span_ = nullptr;  // the one that was filled last, of this draw
+  std::uint32_t span_draw_ = no_id;
   std::vector<TriangleId> row_;
+  std::vector<int> ends_;  // of a row's runs
   std::vector<SplitPixel> split_pixels_;
-  std::array<LargeTriangle, 64> large_;
   std::unordered_map<TriangleId, StripStrides> strips_;
   std::int64_t covered_pixels_ = 0;
 };

@@ -57,13 +57,14 @@ void add_to(std::vector<float>& plane, const ColourTarget& target, const Fragmen
 void light_sites(const Frame& frame, const Draw& draw, LitSites& lit_sites, FrameStats& stats) {
   SurfaceSpan surface;
   LitSpan lit;
+  const Needs needs = draw.object->material.model->needs();
   const std::size_t count = lit_sites.sites.size();
   lit_sites.channels = frame.with_parts ? 12 : 3;
   lit_sites.values.resize(count * std::size_t(lit_sites.channels));
   for (std::size_t begin = 0; begin < count; begin += SurfaceSpan::capacity) {
     surface.size = int(std::min<std::size_t>(SurfaceSpan::capacity, count - begin));
     for (int i = 0; i < surface.size; ++i)
-      put_site(draw, lit_sites.sites[begin + std::size_t(i)], i, surface);
+      put_site(draw, needs, lit_sites.sites[begin + std::size_t(i)], i, surface);
     light(frame, draw, surface, lit, stats);
     for (int i = 0; i < surface.size; ++i)
       store_site(lit, i, frame.settings.clamp_vertex_colours, lit_sites, begin + std::size_t(i));
@@ -102,22 +103,24 @@ void SpanShader::phong(const Frame& frame, const FragmentSpan& span, bool parts)
 }
 
 void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool parts) {
-  for (int r = 0; r < span.run_count; ++r) {
-    const Run& run = span.runs[r];
-    const Chunk& chunk = frame.chunks[run.drawn->chunk];
-    const LitSites& sites = chunk.lit;
-    const std::uint32_t* const site = &sites.corners[3 * chunk.number_of(*run.drawn)];
-    const float* corner[3];
-    for (int k = 0; k < 3; ++k) corner[k] = &sites.values[site[k] * std::size_t(sites.channels)];
-    const auto channels = [&](int c, auto& out) {
-      interpolate(span, run, {corner[0] + c, corner[1] + c, corner[2] + c}, 1, out);
-    };
-    channels(LitSites::colour, lit_.colour);
-    if (!parts) continue;
-    channels(LitSites::ambient, lit_.ambient);
-    channels(LitSites::diffuse, lit_.diffuse);
-    channels(LitSites::glossy, lit_.glossy);
-  }
+  const auto channels = [&](int first, auto& out) {
+    RunAttribute<3> values;
+    for (int r = 0; r < span.run_count; ++r) {
+      const DrawnTriangle& drawn = *span.runs[r].drawn;
+      const Chunk& chunk = frame.chunks[drawn.chunk];
+      const std::uint32_t* const site = &chunk.lit.corners[3 * chunk.number_of(drawn)];
+      const auto at = [&](int k) {
+        return &chunk.lit.values[site[k] * std::size_t(chunk.lit.channels)] + first;
+      };
+      values.put(r, {at(0), at(1), at(2)}, 1);
+    }
+    values.interpolate(span, out);
+  };
+  channels(LitSites::colour, lit_.colour);
+  if (!parts) return;
+  channels(LitSites::ambient, lit_.ambient);
+  channels(LitSites::diffuse, lit_.diffuse);
+  channels(LitSites::glossy, lit_.glossy);
 }
 
 void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) {

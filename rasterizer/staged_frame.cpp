@@ -162,11 +162,13 @@ class StagedFrame {
       if (!seen[i]) continue;
       const int k = span.size++, column = x + int(i);
       // One pixel of a row at a time: the vector's other elements are overwritten.
-      const auto [exact_b1, exact_b2] = ExactWeights::Row(weights, column * subpixel + half_pixel,
-                                                          y * subpixel + half_pixel, k, span)
-                                            .at(0);
+      const ExactWeights::Row row(weights, column * subpixel + half_pixel,
+                                  y * subpixel + half_pixel);
+      const auto [exact_b1, exact_b2] = row.at(Batch(0));
+      if (span.with_derivatives) row.store_derivatives(Batch(0), k, span);
       exact_b1.store(span.b1 + k), exact_b2.store(span.b2 + k);
       if (stages_.barycentric) span.b1[k] = b1[i], span.b2[k] = b2[i];
+      span.run[k] = 0;
       span.pixel[k] = packed_pixel(column, y);
       span.weight[k] = 1;
       there[i] = depth[i];

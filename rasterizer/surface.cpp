@@ -33,13 +33,15 @@ V mean(const std::vector<V>& attribute, std::span<const std::size_t> vertices, c
   return sum / float(vertices.size());
 }
 
-void put_point(const Mesh& mesh, std::span<const std::size_t> vertices, const glm::vec3& position,
-               const glm::vec3& normal, int i, SurfaceSpan& surface) {
+void put_point(const Mesh& mesh, const Needs& needs, std::span<const std::size_t> vertices,
+               const glm::vec3& position, const glm::vec3& normal, int i, SurfaceSpan& surface) {
   put(position, i, surface.position);
   put(normal, i, surface.normal);
-  put(mean(mesh.texcoords, vertices, glm::vec2(0)), i, surface.texcoord);
-  put(mean(mesh.colours, vertices, glm::vec3(1)), i, surface.colour);
-  put(mean(mesh.tangents, vertices, glm::vec3(0)), i, surface.tangent);
+  if (needs_points(needs)) {
+    put(mean(mesh.texcoords, vertices, glm::vec2(0)), i, surface.texcoord);
+    put(mean(mesh.colours, vertices, glm::vec3(1)), i, surface.colour);
+  }
+  if (needs.frame) put(mean(mesh.tangents, vertices, glm::vec3(0)), i, surface.tangent);
 }
 
 template <std::size_t components>
@@ -85,15 +87,16 @@ Face face(const Mesh& mesh, std::uint32_t triangle) {
   return {(a + b + c) / 3.0, length > 0 ? normal / length : glm::dvec3(0)};
 }
 
-void put_site(const Draw& draw, const LitSites::Site& site, int i, SurfaceSpan& surface) {
+void put_site(const Draw& draw, const Needs& needs, const LitSites::Site& site, int i,
+              SurfaceSpan& surface) {
   const Mesh& mesh = *draw.mesh;
   const float sign = site.from_behind ? -1.0f : 1.0f;
   if (draw.object->shading == Shading::flat) {
     const auto [centroid, normal] = face(mesh, site.element);
-    put_point(mesh, Corners(mesh, site.element).vertex, centroid, sign * normal, i, surface);
+    put_point(mesh, needs, Corners(mesh, site.element).vertex, centroid, sign * normal, i, surface);
   } else {
     const std::size_t v = site.element;
-    put_point(mesh, {&v, 1}, mesh.positions[v], sign * mesh.normals[v], i, surface);
+    put_point(mesh, needs, {&v, 1}, mesh.positions[v], sign * mesh.normals[v], i, surface);
   }
 }
 
@@ -102,23 +105,32 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   const Needs needs = span.draw->object->material.model->needs();
   const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
   const bool positions = span.draw->illumination.needs_position;
+  const auto interpolate = [&](const auto& values, auto& out) {
+    RunAttribute<int(std::extent_v<std::remove_reference_t<decltype(out)>>)> runs;
+    for (int r = 0; r < span.run_count; ++r) {
+      const auto& v = Corners(mesh, span.runs[r].drawn->triangle).vertex;
+      runs.put(r, {&values[v[0]].x, &values[v[1]].x, &values[v[2]].x}, 1);
+    }
+    runs.interpolate(span, out);
+  };
+  RunAttribute<3> normals;
   for (int r = 0; r < span.run_count; ++r) {
     const Run& run = span.runs[r];
     // In a fine mesh each run's vertices are elsewhere in memory.
     if (r + ahead < span.run_count) prefetch(mesh, span.runs[r + ahead].drawn->triangle, positions);
-    const Corners corners(mesh, run.drawn->triangle);
-    const auto& v = corners.vertex;
-    const auto attribute = [&](const auto& values, float sign, auto& out) {
-      interpolate(span, run, {&values[v[0]].x, &values[v[1]].x, &values[v[2]].x}, sign, out);
-    };
-    if (positions) attribute(mesh.positions, 1, surface.position);
-    attribute(mesh.normals, run.back_facing ? -1.0f : 1.0f, surface.normal);
-    if (tangents) attribute(mesh.tangents, 1, surface.tangent);
-    if (!points) continue;
-    if (!mesh.texcoords.empty()) attribute(mesh.texcoords, 1, surface.texcoord);
-    if (!mesh.colours.empty()) attribute(mesh.colours, 1, surface.colour);
-    if (span.with_derivatives && !mesh.texcoords.empty()) interpolate_growth(span, run, v, surface);
+    const auto& v = Corners(mesh, run.drawn->triangle).vertex;
+    normals.put(r, {&mesh.normals[v[0]].x, &mesh.normals[v[1]].x, &mesh.normals[v[2]].x},
+                run.back_facing ? -1.0f : 1.0f);
   }
+  normals.interpolate(span, surface.normal);
+  if (positions) interpolate(mesh.positions, surface.position);
+  if (tangents) interpolate(mesh.tangents, surface.tangent);
+  if (points && !mesh.texcoords.empty()) interpolate(mesh.texcoords, surface.texcoord);
+  if (points && !mesh.colours.empty()) interpolate(mesh.colours, surface.colour);
+  if (points && span.with_derivatives && !mesh.texcoords.empty())
+    for (int r = 0; r < span.run_count; ++r)
+      interpolate_growth(span, span.runs[r], Corners(mesh, span.runs[r].drawn->triangle).vertex,
+                         surface);
   surface.size = span.size;
   surface.pixel = span.pixel;
   surface.with_derivatives = span.with_derivatives;

@@ -5,8 +5,7 @@
 #include <array>
 #include <vector>
 
-#include "rasterizer/batch.h"
-#include "rasterizer/pipeline.h"
+#include "rasterizer/of_runs.h"
 
 namespace scanlit {
 
@@ -43,28 +42,42 @@ struct Face {
 Face face(const Mesh& mesh, std::uint32_t triangle);
 
 /// A site of a flat or Gouraud object becomes point i: the face's centroid, or the vertex.
-void put_site(const Draw& draw, const LitSites::Site& site, int i, SurfaceSpan& surface);
+void put_site(const Draw& draw, const Needs& needs, const LitSites::Site& site, int i,
+              SurfaceSpan& surface);
 
-/// The channels of an attribute over one run: a0 + b1 (a1 - a0) + b2 (a2 - a0), times `sign`.
-/// `corner` points at the attribute in each corner of the triangle. Writes whole vectors: what
-/// lands beyond the run is overwritten by the next one.
+/// An attribute's channels over the runs of a span: a0 + b1 (a1 - a0) + b2 (a2 - a0).
 template <int channels>
-void interpolate(const FragmentSpan& span, const Run& run, const float* const (&corner)[3],
-                 float sign, float (&out)[channels][SurfaceSpan::padded]) {
-  // Unrolled, the arrays are registers.
-  Batch base[channels], d1[channels], d2[channels];
+class RunAttribute {
+ public:
+  /// Of run r, times `sign`; `corner` points at the attribute in each corner of its triangle.
+  void put(int r, const float* const (&corner)[3], float sign) {
 #pragma GCC unroll 3
-  for (int c = 0; c < channels; ++c) {
-    const float a0 = sign * corner[0][c];
-    base[c] = a0, d1[c] = sign * corner[1][c] - a0, d2[c] = sign * corner[2][c] - a0;
+    for (int c = 0; c < channels; ++c) {
+      const float a0 = sign * corner[0][c];
+      a0_[c][r] = a0;
+      d1_[c][r] = sign * corner[1][c] - a0;
+      d2_[c][r] = sign * corner[2][c] - a0;
+    }
   }
-  for (int i = run.first; i < run.first + run.size; i += Batch::lanes) {
-    const Batch b1 = Batch::load(span.b1 + i), b2 = Batch::load(span.b2 + i);
+
+  /// Channel c at a vector of fragments.
+  Batch at(const OfRuns& of, int c, const Batch& b1, const Batch& b2) const {
+    return mul_add(b2, of(d2_[c]), mul_add(b1, of(d1_[c]), of(a0_[c])));
+  }
+
+  /// At all of them, up to a whole vector.
+  void interpolate(const FragmentSpan& span, float (&out)[channels][SurfaceSpan::padded]) const {
+    for (int i = 0; i < span.size; i += Batch::lanes) {
+      const OfRuns of(span.run + i);
+      const Batch b1 = Batch::load(span.b1 + i), b2 = Batch::load(span.b2 + i);
 #pragma GCC unroll 3
-    for (int c = 0; c < channels; ++c)
-      mul_add(b2, d2[c], mul_add(b1, d1[c], base[c])).store(out[c] + i);
+      for (int c = 0; c < channels; ++c) at(of, c, b1, b2).store(out[c] + i);
+    }
   }
-}
+
+ private:
+  FragmentSpan::PerRun a0_[channels], d1_[channels], d2_[channels];
+};
 
 /// Every fragment of the span becomes a point, with what its object's Illumination needs.
 void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface);

@@ -53,7 +53,7 @@ TriangleId TileTriangles::number(std::span<const DrawnTriangle> triangles,
   for (const DrawnTriangle& triangle : triangles) {
     visibility.triangles.push_back(&triangle);
     // Those after the next: to wait for them would take longer than all that is done with them.
-    hwy::Prefetch(&triangle + 2 * tiny_at_once);
+    hwy::Prefetch(&triangle + 4 * tiny_at_once);
   }
   return first;
 }

@@ -1,4 +1,6 @@
-#include "rasterizer/resolve.h"
+#include "rasterizer/span_collector.h"
+
+#include "rasterizer/strides.h"
 
 namespace scanlit {
 
@@ -10,7 +12,7 @@ FragmentSpan& SpanCollector::span_of(const Draw& draw) {
     span = std::move(unused_.back());
     unused_.pop_back();
     span->draw = &draw;
-    span->size = span->run_count = span->pixels = 0;
+    span->clear();
 
     // Only at fragments is a model given pixels. Asked here, once: a run may be of one pixel.
     span->with_derivatives = draw.object->shading == Shading::phong &&

@@ -1,0 +1,37 @@
+// (8) The edge functions of a span's runs: barycentric coordinates of most triangles.
+#pragma once
+
+#include "rasterizer/of_runs.h"
+
+namespace scanlit {
+
+/// Of each run the edge functions opposite to its triangle's corners, exact at a pixel of its row,
+/// and their growth per pixel; and the corners' 1/w. Made for vectors of runs, for vectors of
+/// fragments to pick from. A fragment's depend on its triangle and its pixel alone, to the bit.
+class EdgeFunctions {
+ public:
+  /// Also says which runs' triangles are seen from behind.
+  EdgeFunctions(bool perspective, FragmentSpan& span);
+
+  /// At a vector of fragments in these columns, over w.
+  Batch at(const OfRuns& of, int corner, const Batch& column) const {
+    const Batch pixels = column - of(column_);
+    return mul_add(pixels, of(per_pixel_[corner]), of(first_[corner])) * of(inv_w_[corner]);
+  }
+
+  /// The runs that are not to be had so: of cut triangles; of those larger than 16 pixels where
+  /// float is not precise; where derivatives are wanted.
+  std::span<const std::uint16_t> others() const { return {others_, std::size_t(other_count_)}; }
+
+ private:
+  struct Corners;
+  void put_functions(const Corners& corners, int r, const FragmentSpan& span);
+  void put_sides(const Corners& corners, int r, FragmentSpan& span);
+
+  FragmentSpan::PerRun column_;  // of that pixel
+  FragmentSpan::PerRun first_[3], per_pixel_[3], inv_w_[3];
+  std::uint16_t others_[FragmentSpan::capacity];
+  int other_count_ = 0;
+};
+
+}  // namespace scanlit
