@@ -1,6 +1,6 @@
 // New idea: a mesh is a list of points and a list of triples; dropping z puts it on the screen.
 // Builds on: lesson 2, lines; lesson 4, spans.
-// Try: --mesh teapot:2; --mesh trefoil; --turn 160: which triangles should not be in front?
+// Try: --mesh teapot:2; --mesh trefoil; --turn -60: which triangles should not be in front?
 #include <glm/common.hpp>
 #include <glm/ext/matrix_transform.hpp>
 #include <glm/trigonometric.hpp>

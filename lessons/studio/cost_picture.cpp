@@ -5,30 +5,16 @@
 #include <optional>
 #include <string>
 
+#include "lessons/studio/drawing/heat.h"
 #include "lessons/studio/reflect/sheet_layout.h"
 #include "lessons/studio/text.h"
-#include "rasterizer/image/image_encoding.h"
 
 namespace scanlit::studio {
 namespace {
 
-/// Counts that look alike: few in small steps, many in large ones. Lighter is more; colours are
-/// picks from the scale "plasma" of Matplotlib.
-struct Band {
-  int most;
-  const char* label;
-  int srgb;
-};
-constexpr Band bands[] = {{0, "0", 0x181818},      {1, "1", 0x0d0887},      {2, "2", 0x7201a8},
-                          {4, "3-4", 0xbd3786},    {8, "5-8", 0xd8576b},    {16, "9-16", 0xed7953},
-                          {32, "17-32", 0xfb9f3a}, {64, "33-64", 0xfdca26}, {0, "65+", 0xf0f921}};
-constexpr int band_count = int(std::size(bands));
-
-Rgb<double> colour_of(const Band& band) {
-  const auto channel = [&](int shift) {
-    return linear_from_srgb((band.srgb >> shift & 255) / 255.0);
-  };
-  return {channel(16), channel(8), channel(0)};
+const HeatScale& scale() {
+  static const HeatScale all = count_scale();
+  return all;
 }
 
 const Rgb<double> paper(0.0);
@@ -69,22 +55,22 @@ void draw_panel(const Panel& panel, const Framebuffer& frame, const Layout& layo
     for (int x = 0; x < frame.width; ++x) {
       const std::size_t pixel = std::size_t(y) * std::size_t(frame.width) + std::size_t(x);
       const float count = frame.cost[2 * pixel + std::size_t(panel.channel)];
-      int band = 0;
-      while (band < band_count - 1 && count > float(bands[band].most)) ++band;
       fill(picture, x_begin + x, 2 * layout.line + y, x_begin + x + 1, 2 * layout.line + y + 1,
-           colour_of(bands[band]));
+           scale().colour(count));
     }
 }
 
 void draw_scale(const Layout& layout, int x_begin, const std::optional<Font>& font,
                 Framebuffer& picture) {
   const int top = 2 * layout.line + layout.height + layout.line / 3;
-  for (int i = 0; i < band_count; ++i) {
-    const auto x = [&](int k) { return x_begin + layout.width * k / band_count; };
-    fill(picture, x(i), top, x(i + 1) - 1, top + layout.line / 2, colour_of(bands[i]));
+  const int count = int(scale().bands().size());
+  for (int i = 0; i < count; ++i) {
+    const auto x = [&](int k) { return x_begin + layout.width * k / count; };
+    const std::size_t band = std::size_t(i);
+    fill(picture, x(i), top, x(i + 1) - 1, top + layout.line / 2, scale().colour_of_band(band));
     if (font)
       font->draw(picture, (x(i) + x(i + 1)) / 2, top + layout.line / 2 + layout.text,
-                 bands[i].label, std::max(8, layout.text * 2 / 3), Align::centre, ink);
+                 scale().bands()[band].label, std::max(8, layout.text * 2 / 3), Align::centre, ink);
   }
 }
 

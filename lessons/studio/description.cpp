@@ -158,4 +158,13 @@ std::vector<Light> make_lights(const Description& description, const Camera& cam
           directional(axes * glm::dvec3(0.9, 0.1, 0.4), 0.2, {0.7, 0.83, 1.0})};
 }
 
+std::pair<Scene, Camera> make_scene_and_camera(const Description& description) {
+  const Picture& picture = description.picture;
+  Scene scene = make_scene(description);
+  const Camera camera =
+      make_camera(description.view, scene, double(picture.width) / picture.height);
+  scene.lights = make_lights(description, camera);
+  return {std::move(scene), camera};
+}
+
 }  // namespace scanlit::studio

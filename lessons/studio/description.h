@@ -113,4 +113,7 @@ Camera make_camera(const View& view, const Scene& scene, double aspect);
 /// The lights described, or the default ones for this camera.
 std::vector<Light> make_lights(const Description& description, const Camera& camera);
 
+/// All of these, for a picture of the size described.
+std::pair<Scene, Camera> make_scene_and_camera(const Description& description);
+
 }  // namespace scanlit::studio

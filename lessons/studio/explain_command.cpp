@@ -8,6 +8,7 @@
 #include "lessons/studio/commands.h"
 #include "lessons/studio/explain/explanation.h"
 #include "lessons/studio/render_options.h"
+#include "lessons/studio/split.h"
 #include "lessons/studio/text.h"
 #include "rasterizer/error.h"
 
@@ -20,11 +21,11 @@ struct ExplainOptions : SceneOptions {
 };
 
 std::pair<int, int> parse_pixel(const std::string& text, const Picture& picture) {
-  const auto comma = text.find(',');
-  if (comma == text.npos)
+  const std::vector<std::string_view> parts = split(text, ',');
+  if (parts.size() != 2)
     throw Error("--pixel", "'" + text + "' is not X,Y: a column and a row, such as 480,360");
-  return {parse_integer("--pixel", text.substr(0, comma), {0, double(picture.width - 1)}),
-          parse_integer("--pixel", text.substr(comma + 1), {0, double(picture.height - 1)})};
+  return {parse_integer("--pixel", parts[0], {0, double(picture.width - 1)}),
+          parse_integer("--pixel", parts[1], {0, double(picture.height - 1)})};
 }
 
 /// The one asked for, else the one with the greatest share of the pixel.
@@ -43,10 +44,7 @@ void explain(const ExplainOptions& options) {
   const Description description = describe(options.input, options.given());
   const Picture& picture = description.picture;
   const auto [x, y] = parse_pixel(options.pixel, picture);
-  Scene scene = make_scene(description);
-  const Camera camera =
-      make_camera(description.view, scene, double(picture.width) / picture.height);
-  scene.lights = make_lights(description, camera);
+  const auto [scene, camera] = make_scene_and_camera(description);
 
   const Explanation explanation{
       options.input, description, scene,

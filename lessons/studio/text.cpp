@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "lessons/studio/split.h"
 #include "rasterizer/framebuffer.h"
 
 namespace scanlit::studio {
@@ -31,14 +32,6 @@ const Choices<Tangents> brushes{{"around x", {.field = TangentField::around, .ax
                                 {"texcoord", {.field = TangentField::texcoord}}};
 
 namespace {
-
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  for (std::size_t end; (end = text.find(separator)) != text.npos; text.remove_prefix(end + 1))
-    parts.push_back(text.substr(0, end));
-  parts.push_back(text);
-  return parts;
-}
 
 /// Whether all of `text` is a number of type T.
 template <class T>

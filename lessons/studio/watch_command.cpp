@@ -7,6 +7,7 @@
 #include "lessons/studio/program.h"
 #include "lessons/studio/progress_bar.h"
 #include "lessons/studio/render_options.h"
+#include "lessons/studio/split.h"
 #include "lessons/studio/text.h"
 #include "lessons/studio/watch/example.h"
 #include "lessons/studio/watch/moments.h"
@@ -31,8 +32,7 @@ Rect parse_region(const std::string& text, const Picture& picture) {
     return {x, y, x + columns, y + rows};
   }
   std::vector<int> numbers;
-  std::istringstream stream(text);
-  for (std::string number; std::getline(stream, number, ',');)
+  for (const std::string_view number : split(text, ','))
     numbers.push_back(parse_integer("--region", number, {0, double(max_framebuffer_size)}));
   if (numbers.size() != 4)
     throw Error("--region", "'" + text + "' is not X,Y,W,H: the top left pixel, and how many");
@@ -57,10 +57,7 @@ ScanStory story_of(const WatchOptions& options) {
   const Description description = describe(options.input, options.given());
   const Picture& picture = description.picture;
   const Rect region = parse_region(options.region, picture);
-  Scene scene = make_scene(description);
-  const Camera camera =
-      make_camera(description.view, scene, double(picture.width) / picture.height);
-  scene.lights = make_lights(description, camera);
+  const auto [scene, camera] = make_scene_and_camera(description);
   return watch_scan_conversion(scene, camera, picture.settings, picture.width, picture.height,
                                region);
 }
