@@ -37,6 +37,15 @@ TEST(HostileAnswers, PrintingIsNoAnswer) {
 
 TEST(HostileAnswers, HangingUpIsNoAnswer) { expect_nothing(judged("close(0); close(1);")); }
 
+TEST(HostileAnswers, TheCompilersWordsAreTheSameEachTime) {
+  const Assignment& a1 = assignment("A1");
+  for (const char* text : {"", "asm(\".incbin \\\"/no/such/file\\\"\");"}) {
+    const std::string log = judge_text(a1, text).build_log;
+    EXPECT_NE(log, "");
+    EXPECT_EQ(log, judge_text(a1, text).build_log);
+  }
+}
+
 TEST(HostileAnswers, ACrashCostsTheTestItIsInAlone) {
   const Verdict verdict = judged("", " if (from.x != to.x || from.y != to.y) abort(); ");
   EXPECT_EQ(verdict.tests[0].points, 0);

@@ -4,6 +4,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <fstream>
@@ -55,6 +57,26 @@ std::string compiler() {
   throw Error("no C++ compiler is installed: there is no /usr/bin/c++");
 }
 
+/// Without names that are others in each run: the sandbox's folder, and the compiler's temporary
+/// files, as in "/tmp/ccA1b2C3.o".
+std::string lasting_words(std::string log, const fs::path& scratch) {
+  const std::string folder = scratch.string() + "/", temporary = "/tmp/";
+  for (const std::string& each : {folder, temporary})
+    for (std::size_t at = 0; (at = log.find(each + "cc", at)) != log.npos; ++at)
+      log.replace(at, each.size(), "");
+  for (std::size_t at = 0; (at = log.find(folder, at)) != log.npos;) log.erase(at, folder.size());
+  constexpr std::size_t random = 6;
+  for (std::size_t at = 0; (at = log.find("cc", at)) != log.npos; at += 2) {
+    const std::size_t end = at + 2 + random;
+    const bool temporary_name =
+        end < log.size() && log[end] == '.' &&
+        std::all_of(log.begin() + std::ptrdiff_t(at) + 2, log.begin() + std::ptrdiff_t(end),
+                    [](unsigned char c) { return std::isalnum(c); });
+    if (temporary_name) log.erase(at + 2, random);
+  }
+  return log;
+}
+
 }  // namespace
 
 const std::vector<std::string>& compiler_flags() {
@@ -80,7 +102,7 @@ Build build(const Assignment& assignment, std::uint64_t seed, const fs::path& su
   if (!assignment.is_model()) argv.push_back(assignment.file);
   for (const char* word : {"main.cpp", "-o", program_name}) argv.push_back(word);
   const sandbox::Outcome outcome = sandbox.run(argv);
-  result.log = outcome.output;
+  result.log = lasting_words(outcome.output, folder);
   result.good = outcome.good() && fs::is_regular_file(fs::symlink_status(folder / program_name));
   if (!result.good)
     result.message = outcome.end == sandbox::Outcome::End::exited
