@@ -52,7 +52,7 @@ std::vector<Hostile> hostile(const std::string& solution, const std::string& hid
        solution + "\ntemplate <int N> constexpr long f() { long s = 0; for (long i = 0; i < "
                   "30000000; ++i) s += i; return s + f<N - 1>(); }\ntemplate <> constexpr long "
                   "f<0>() { return 0; }\nconstexpr long all = f<800>();\n"},
-      {"unbuildable <script>alert(1)</script>",
+      {"unbuildable <script>",
        "#error \"<script>alert(1)</script> \x1b[2J =cmd|' /C calc'!A0 \x01\xff\"\n"},
       {"empty file", ""},
       {"changes from run to run",
