@@ -14,6 +14,9 @@ const std::vector<Assignment>& assignments() {
       a4_shading(),          //
       a5_phong(),            //
       a6_cook_torrance(),    //
+      a7_third_model(),      //
+      a8_less_work(),        //
+      a9_mutant_hunt(),      //
   };
   return all;
 }

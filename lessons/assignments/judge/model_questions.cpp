@@ -164,8 +164,7 @@ Finding compare_rows(const Rows& rows, const std::vector<WrongRows>& mistakes) {
   if (std::ranges::all_of(got, [](double value) { return value == 0; }))
     return finding(0, "It is 0 everywhere.");
   for (const WrongRows& mistake : mistakes)
-    if (all_agree(got, mistake.values, std::max(scale, scale_of(mistake.values))))
-      return finding(mistake.share, mistake.message);
+    if (all_agree(got, mistake.values, scale)) return finding(mistake.share, mistake.message);
   const double factor = got[0] / expected[0];
   Values scaled = expected;
   for (double& value : scaled) value *= factor;

@@ -11,5 +11,8 @@ Assignment a3_visibility();
 Assignment a4_shading();
 Assignment a5_phong();
 Assignment a6_cook_torrance();
+Assignment a7_third_model();
+Assignment a8_less_work();
+Assignment a9_mutant_hunt();
 
 }  // namespace scanlit::assignments

@@ -1,0 +1,124 @@
+// A9: the student's tests are run on right stages and on faults.
+#include <functional>
+#include <string>
+
+#include "lessons/assignments/A9_mutant_hunt/reference.h"
+#include "lessons/assignments/judge/registry.h"
+#include "lessons/assignments/judge/worded.h"
+
+namespace scanlit::assignments {
+namespace {
+
+using namespace mutants;
+
+enum Kind { ask_count = 1, ask_run, ask_stage };  // as in main.cpp
+
+constexpr std::int64_t most_tests = 64;
+constexpr int most_calls = 5000;  // of the stage, by one test
+
+using Stage = std::function<Fragments(const Request&)>;
+
+/// What a test asks the stage for, if that makes sense.
+Request read_request(const Numbers& question) {
+  constexpr std::int64_t furthest = 1 << 24;
+  const auto& n = question.integers;
+  if (n.size() != 8) throw Unanswered("your program asked the stage for what there is not");
+  for (std::size_t i = 0; i < 6; ++i)
+    if (n[i] <= -furthest || n[i] >= furthest)
+      throw Unanswered("a test asks for a triangle that is 2^24 or more units away");
+  if (n[6] < 1 || n[6] > 64 || n[7] < 1 || n[7] > 64)
+    throw Unanswered("a test asks for a picture that is not of 1 to 64 columns and rows");
+  return {{{{n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}}}, int(n[6]), int(n[7])};
+}
+
+std::int64_t count_tests(Examination& e) {
+  const std::int64_t count = e.student.ask(ask_count, {}, AnswerSize::integers(1)).integers[0];
+  if (count < 0 || count > most_tests) throw Unanswered("there must be at most 64 tests");
+  return count;
+}
+
+/// Whether a test passes on a stage; if not, by its own check().
+bool passes(Examination& e, std::int64_t test, const Stage& stage) {
+  int calls = 0;
+  const Counsel counsel = [&](int kind, const Numbers& question) {
+    if (kind != ask_stage || ++calls > most_calls)
+      throw Unanswered(
+          worded("test %d calls scan_convert() more than %d times", int(test) + 1, most_calls));
+    Numbers answer;
+    for (const a1::Fragment& f : stage(read_request(question)))
+      answer.integers.insert(answer.integers.end(), {f.column, f.row});
+    return answer;
+  };
+  try {
+    const Numbers question{.integers = {test}, .reals = {}};
+    return e.student.ask(ask_run, question, AnswerSize::integers(1), counsel).integers[0] == 1;
+  } catch (const Unanswered& error) {
+    throw Unanswered(worded("test %d (in tests(), from 1): ", int(test) + 1) + error.what() +
+                     ". Only check() may end a test.");
+  }
+}
+
+/// The first right design that a test fails on; -1 where it passes on all.
+int refused_design(Examination& e, std::int64_t test) {
+  const scan::ScanVariant variant = scan::scan_variant(e.variant);
+  for (int design = 0; design < right_designs; ++design)
+    if (!passes(e, test, [&](const Request& r) { return right(design, variant, r); }))
+      return design;
+  return -1;
+}
+
+/// All tests pass where the stage is right, and some fails where there is none.
+Finding test_right(Examination& e) {
+  const std::int64_t count = count_tests(e);
+  std::string refused;
+  bool some = false;
+  for (std::int64_t test = 0; test < count; ++test) {
+    const int design = refused_design(e, test);
+    if (design >= 0)
+      refused += worded("Test %d fails on a stage that is right%s.\n", int(test) + 1,
+                        design == 0 ? "" : " and draws in another order");
+    some |= design < 0 && !passes(e, test, [](const Request&) { return Fragments{}; });
+  }
+  if (!refused.empty())
+    return Finding::wrong(refused + "It is never counted: what does it take for granted?");
+  if (!some)
+    return Finding::wrong(
+        "None of your tests fails on a stage that draws nothing at all. What must a triangle "
+        "cover?");
+  return {};
+}
+
+Finding test_fault(Examination& e, int fault) {
+  const std::int64_t count = count_tests(e);
+  bool by_invalid = false;
+  for (std::int64_t test = 0; test < count; ++test) {
+    Mutant mutant(fault, e.variant);
+    if (passes(e, test, [&](const Request& r) { return mutant(r); })) continue;
+    if (refused_design(e, test) < 0) return {};
+    by_invalid = true;
+  }
+  return Finding::wrong(std::string("The fault survives. It has to do with ") + hint(fault) + "." +
+                        (by_invalid ? " A test that fails on it fails on right stages, too, and "
+                                      "does not count."
+                                    : ""));
+}
+
+}  // namespace
+
+Assignment a9_mutant_hunt() {
+  Assignment a9{
+      .id = "A9",
+      .title = "A mutant hunt",
+      .folder = "A9_mutant_hunt",
+      .file = "mutant_hunt.cpp",
+      .header = "mutant_hunt.h",
+      .words = [](std::uint64_t seed) { return a1_scan_conversion().words(seed); },
+      .illustrations = [](std::uint64_t) { return std::map<std::string, JudgedPicture>(); },
+      .parts = {{"A9.1", "Right stages pass", test_right}}};
+  for (int fault = 0; fault < faults; ++fault)
+    a9.parts.push_back({"A9." + std::to_string(fault + 2), "Fault " + std::to_string(fault + 1),
+                        [fault](Examination& e) { return test_fault(e, fault); }});
+  return a9;
+}
+
+}  // namespace scanlit::assignments
