@@ -48,8 +48,7 @@ Own own_or(const Own& own, const Engine& engine) {
   return own ? own : Own(engine);
 }
 
-// ---------------------------------------------------------------------------------------- the
-// frame
+// --------------------------------------------------------------------------------------- the frame
 
 class StagedFrame {
  public:

@@ -124,11 +124,10 @@ TEST_F(MeshTest, ReadsObjAsPeopleWriteIt) {
   }
   expect_tetrahedron(load("mac.obj", mac));
   expect_tetrahedron(load("windows.obj", "\xef\xbb\xbf" + windows));
-  expect_tetrahedron(
-      load("odd.obj",
-           "mtllib /dev/zero\no a#b\nusemtl none\nv +0 0. -0 1\nv 1e0 .0 0 .5\n"
-           "v 0 1.0E+00 0\nv 0 1e-400 1\nl 1 2\np 1\nf 1 3 \\\n 2 # three\n"
-           "f 1/ 2// 4\nf 2 3 4\nf 1 4 3"));
+  expect_tetrahedron(load("odd.obj",
+                          "mtllib /dev/zero\no a#b\nusemtl none\nv +0 0. -0 1\nv 1e0 .0 0 .5\n"
+                          "v 0 1.0E+00 0\nv 0 1e-400 1\nl 1 2\np 1\nf 1 3 \\\n 2 # three\n"
+                          "f 1/ 2// 4\nf 2 3 4\nf 1 4 3"));
 }
 
 TEST_F(MeshTest, ReadsOffWithCommentsColoursAndVertexNormals) {

@@ -150,7 +150,8 @@ TEST_P(Surface, FlattenedObjectsGiveNoNan) {
 
 TEST_P(Surface, PartsAddUpToTheColour) {
   Object object = square(identity, 0.5f);
-  object.material.model = std::make_shared<FormulaModel<models::BlinnPhong<>>>(models::BlinnPhong<>());
+  object.material.model =
+      std::make_shared<FormulaModel<models::BlinnPhong<>>>(models::BlinnPhong<>());
   object.material.ka = {0.1, 0.2, 0.3};
   for (const ColourForm form : {ColourForm::tinted, ColourForm::plastic})
     for (const bool clamped : {false, true}) {
