@@ -48,8 +48,8 @@ int main(int argc, char** argv) {
     const double tilt = glm::radians(tilt_deg);
     camera.eye = glm::dvec3(.25 * std::sin(tilt), -std::sin(tilt), std::cos(tilt)) * 2.0;
     camera.up = {0, 1, 1};
-    camera.fov_deg = 60;
-    camera.target = {0, -.46 * std::sin(tilt), 0};
+    camera.fov_deg = 55;
+    camera.target = {.06 * std::sin(tilt), -.46 * std::sin(tilt), 0};
     double largest = 0;
     const auto draw = [&](int panel, int width, int height) {
       constexpr int fine = 3;

@@ -1,6 +1,7 @@
 // New idea: fibres under varnish mirror into a cone; where they tilt, their highlight is elsewhere.
 // Builds on: lesson 29, brushed metal, whose strokes lie in the surface.
 // Try: --tilt 14; --beta .4; where is the highlight that all three curves would share, the coat's?
+#include <algorithm>
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
@@ -57,27 +58,31 @@ int main(int argc, char** argv) {
 
   return lesson.run(argc, argv, [&] {
     const int row = lesson.height() / 2;
-    studio::Chart chart(lesson.width(), lesson.height() - row, {-90, 90, "theta_v, in degrees"},
-                        {0, 3.5, "g(beta, psi_h) / cos^2(psi_d / 2)"}, lesson.height());
+    std::vector<glm::dvec2> curves[3];
     const Rgb<double> colours[] = {ink::blue, ink::orange, ink::vermilion};
+    double highest = 3;
     for (int k = 0; k < 3; ++k) {
       const double t = glm::radians(tilt * (k - 1));
       const Vec3<double> L = studio::direction_at(-light, 0), u{std::cos(t), 0, std::sin(t)};
-      std::vector<glm::dvec2> curve;
       for (double theta_v = -90; theta_v <= 90; theta_v += .25)
-        curve.emplace_back(theta_v, fibres(L, studio::direction_at(theta_v, 0), u, eta, beta));
-      chart.curve(curve, colours[k], 12);
-      const auto top = *std::ranges::max_element(curve, {}, &glm::dvec2::y);
+        curves[k].emplace_back(theta_v, fibres(L, studio::direction_at(theta_v, 0), u, eta, beta));
+      highest = std::max(highest, std::ranges::max(curves[k], {}, &glm::dvec2::y).y);
+    }
+    studio::Chart chart(lesson.width(), lesson.height() - row, {-90, 90, "theta_v, in degrees"},
+                        {0, 7 * highest / 6, "g(beta, psi_h) / cos^2(psi_d / 2)"}, lesson.height());
+    for (int k = 0; k < 3; ++k) {
+      chart.curve(curves[k], colours[k], 12);
+      const glm::dvec2 top = std::ranges::max(curves[k], {}, &glm::dvec2::y);
       const std::string name = "tilt " + studio::text_of(tilt * (k - 1));
-      chart.words({top.x, top.y + .25}, name, ink::black, Align::centre);
+      const glm::dvec2 above{std::clamp(top.x, -80.0, 80.0), top.y + highest / 12};
+      chart.words(above, name, ink::black, Align::centre);
       lesson.figure(name + " degrees, brightest at", studio::fixed(top.x, 1) + " degrees");
     }
-    const double lights[] = {-.45, 0, .45};
     return studio::stacked(
         studio::panels(
             lesson.width(), row, 3, {"light from the left", "from above", "from the right"},
             [&](int panel, int width, int height) {
-              return studio::photograph(board(lights[panel]), {0, -.8, 3}, width, height);
+              return studio::photograph(board(.45 * (panel - 1)), {0, -.8, 3}, width, height);
             },
             ink::slate, lesson.height()),
         chart.finish());

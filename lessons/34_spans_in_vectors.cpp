@@ -90,7 +90,7 @@ int main(int argc, char** argv) {
   studio::Lesson lesson("The same picture, pixel by pixel and in vectors.", 1800, 1100);
   int lanes = 8, n = 4;
   lesson.knob("--lanes", lanes, {2, 64}, "of the vectors that are drawn");
-  lesson.knob("--n", n, {1, 64}, "segments a side of each of the teapot's patches");
+  lesson.knob("--n", n, {2, 64}, "segments a side of each of the teapot's patches");
 
   return lesson.run(argc, argv, [&] {
     const std::vector<std::string> names = {"pixel by pixel", "in vectors", "lanes, run by run",

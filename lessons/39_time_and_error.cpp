@@ -87,8 +87,10 @@ std::vector<Way> draw_all(studio::Lesson& lesson, bool measure) {
 
 Framebuffer chart_of(const std::vector<Way>& ways, const std::vector<Way>& front, bool measured,
                      int width, int height, int sheet_height) {
+  const auto [least, most] = std::ranges::minmax(ways, {}, &Way::ms);
+  const double from = std::min(.6, .8 * least.ms), to = std::max(20.0, 1.3 * most.ms);
   studio::Chart chart(width, height,
-                      {.6, 20, measured ? "ms a frame, here" : "ms a frame, AMD EPYC", true},
+                      {from, to, measured ? "ms a frame, here" : "ms a frame, AMD EPYC", true},
                       {.015, 15, "error, in 8-bit steps", true}, sheet_height);
   std::vector<glm::dvec2> stairs;
   for (const Way& way : front) {
@@ -96,8 +98,8 @@ Framebuffer chart_of(const std::vector<Way>& ways, const std::vector<Way>& front
     stairs.emplace_back(way.ms, way.error);
   }
   chart.curve(stairs, ink::yellow, 14);
-  chart.line({.6, .5}, {20, .5}, ink::soft, 2);
-  chart.words({.62, .54}, "half a step of 8 bits", ink::soft);
+  chart.line({from, .5}, {to, .5}, ink::soft, 2);
+  chart.words({from * 31 / 30, .54}, "half a step of 8 bits", ink::soft);
   for (const bool gouraud : {true, false}) {
     const Rgb<double>& colour = gouraud ? ink::vermilion : ink::blue;
     std::vector<glm::dvec2> curve;

@@ -38,7 +38,7 @@ Chart::Chart(int width, int height, ChartAxis x, ChartAxis y, int sheet_height)
   canvas_.letter(sizes);
   low_ = {3.4 * word, height - 2.9 * word};
   high_ = {width - 1.4 * word, 2.2 * word};
-  for (const double tick : ticks(x_, std::min(5, int((high_.x - low_.x) / (4 * word))))) {
+  for (const double tick : ticks(x_, std::clamp(int((high_.x - low_.x) / (4 * word)), 1, 5))) {
     line({tick, y_.low}, {tick, y_.high}, ink::pale, 2);
     canvas_.words({at({tick, y_.low}).x, low_.y + 1.2 * word}, tick_text(tick), ink::black,
                   Align::centre);

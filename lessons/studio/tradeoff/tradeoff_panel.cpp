@@ -166,7 +166,7 @@ std::string point_name(const AxisResult& axis, std::size_t point) {
 
 std::string caption(const Measured& p) {
   char text[200];
-  std::snprintf(text, sizeof text, "%.3g ms; rms %.2g, largest %.2g steps; mean FLIP %.2g", p.ms,
+  std::snprintf(text, sizeof text, "%.3g ms; rms %.3g, largest %.3g steps; mean FLIP %.2g", p.ms,
                 p.steps(), p.error.interior.max_steps, p.flip);
   return p.series + ", " + p.label + ": " + text;
 }
