@@ -43,9 +43,10 @@ struct EdgeFunctions::Corners {
   }
   Doubles twice_area() const { return edge(0, 1, x[2], y[2]); }
 
-  static IntVector extent(const IntVector (&v)[3]) {
-    return hn::Sub(hn::Max(v[0], hn::Max(v[1], v[2])), hn::Min(v[0], hn::Min(v[1], v[2])));
-  }
+  static IntVector least(const IntVector (&v)[3]) { return hn::Min(v[0], hn::Min(v[1], v[2])); }
+  static IntVector most(const IntVector (&v)[3]) { return hn::Max(v[0], hn::Max(v[1], v[2])); }
+  static IntVector extent(const IntVector (&v)[3]) { return hn::Sub(most(v), least(v)); }
+  IntVector middle_column() const { return hn::ShiftRight<9>(hn::Add(least(x), most(x))); }
   /// At most 16 pixels wide and high: edge functions are whole numbers of at most 2^24 in it, which
   /// float holds.
   hn::Mask<Ints> small() const {
@@ -78,8 +79,8 @@ void EdgeFunctions::put_functions(const Corners& corners, int r, const FragmentS
   const IntVector begin = hn::And(hn::BitCast(ints, packed), hn::Set(ints, 0xffff));
   const IntVector row = hn::BitCast(ints, hn::ShiftRight<16>(packed));
   // Where rounding is to be seen, not where the run begins: that depends on what hides it, and on
-  // tiles.
-  const IntVector column = hn::IfThenElse(corners.small(), begin, hn::ShiftRight<8>(corners.x[0]));
+  // tiles. From the triangle's middle column products are smallest, and so is what they lose.
+  const IntVector column = hn::IfThenElse(corners.small(), begin, corners.middle_column());
   Batch(hn::ConvertTo(Batch::tag, column)).store(column_ + r);
 
   const Doubles edge_1 = corners.edge(2, 0, centre(column), centre(row));
