@@ -182,6 +182,16 @@ Scene lit_sphere() {
   return scene;
 }
 
+TEST(Tolerance, HoldsInTheOneChannelThatIsLit) {
+  for (const Rgb<double> colour : {Rgb<double>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}) {
+    Written written{.scene = lit_sphere(), .camera = {.fov_deg = 8}, .model = ""};
+    for (Light& light : written.scene.lights) light.colour = colour;
+    const Outcome outcome = compare(written, 1, 1);
+    EXPECT_LE(outcome.worst, 1) << colour.r << colour.g << colour.b;
+    EXPECT_LT(outcome.evaluated, .95);
+  }
+}
+
 TEST(Tolerance, SparesEvaluationsAndIsTheSameForAnyThreads) {
   Framebuffer full(800, 600), one(800, 600), three(800, 600);
   const FrameStats all = render(lit_sphere(), {}, {.threads = 1}, full);
