@@ -102,6 +102,22 @@ TEST(Cost, CountsADepthTestForEachFragmentAtEachSample) {
   }
 }
 
+TEST(Cost, CountsTheTestsOfSlopedEdgesAtTheSamplesTheyCover) {
+  // A large triangle and a small one, nothing behind them: what is covered is what is tested.
+  for (const float size : {50.0f, 7.0f}) {
+    const auto corners = on_screen({{3, 4, 0.5f}, {3.3f, 4 + size, 0.5f}, {3 + size, 7.7f, 0.5f}});
+    const Scene scene = scene_of({object_of(triangle_soup(corners))});
+    for (const int samples : {4, 16}) {
+      const Costs costs = costs_of(scene, pixel_camera(64, 64), 64, 64, with_samples(samples));
+      for (int y = 0; y < 64; ++y)
+        for (int x = 0; x < 64; ++x) {
+          const float alpha = costs.framebuffer.colour[4 * std::size_t(y * 64 + x) + 3];
+          ASSERT_EQ(costs.tests(x, y), alpha * float(samples)) << x << ", " << y;
+        }
+    }
+  }
+}
+
 TEST(Cost, ShowsWhatTheCoarseDepthSaves) {
   const Costs with = costs_of(layers(true), pixel_camera(64, 64), 64, 64);
   const Costs all =

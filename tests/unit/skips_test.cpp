@@ -155,6 +155,32 @@ TEST(Skips, LayersThatNearlyTouchAreAllSeen) {
     }
 }
 
+/// A square behind another by one of float's steps and less. Its rows of fragments, rounded where
+/// they begin, come out as near as the other's, and it is the first of the two that are drawn: so
+/// it is seen there, though its plane lies behind, and the bound needs its margin.
+TEST(Skips, FragmentsThatRoundingBringsNearerAreSeen) {
+  const int size = 128;
+  const float d = 0.4f, nearer = std::nextafter(d, 1.0f), farther = std::nextafter(d, 0.0f),
+              farthest = std::nextafter(farther, 0.0f);
+  const auto square = [](float a, float b, float c, float e) {
+    return object_of(triangle_soup(on_screen(
+        {{0, 0, a}, {size, 0, b}, {size, size, e}, {0, 0, a}, {size, size, e}, {0, size, c}})));
+  };
+  // Several layers more, without which there is no coarse depth.
+  const Object behind = square(0.1f, 0.1f, 0.1f, 0.1f);
+  const Scene scene = scene_of({square(farthest, farther, farther, d), square(nearer, d, nearer, d),
+                                behind, behind, behind});
+  for (const int samples : {1, 4, 16}) {
+    RenderSettings settings{.samples = samples};
+    Framebuffer with(size, size, planes), without(size, size, planes);
+    render(scene, pixel_camera(size, size), settings, with);
+    settings.skips.hidden_triangles = false;
+    render(scene, pixel_camera(size, size), settings, without);
+    expect_same(with, without);
+    EXPECT_EQ(with.object_id[88 + 120 * size], 0u);
+  }
+}
+
 /// Layers, and through all of them a triangle that begins behind the last and ends before the
 /// first.
 TEST(Skips, ATriangleThroughAllLayersIsSeenWhereItIsNearest) {

@@ -147,6 +147,17 @@ TEST(Tangents, AFaceAcrossTheAxisOfAlongIsBrushedStraightAlsoWhenTurned) {
   }
 }
 
+TEST(Tangents, AnObjectFlattenedToTheNormalsLineHasSome) {
+  // Wherever the tangents point in the object, they point along the normal in the world.
+  for (const glm::vec3& normal : {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(0.6f, 0, 0.8f),
+                                  glm::vec3(0.6f, 0, -0.8f), glm::vec3(0.48f, 0.6f, -0.64f)}) {
+    glm::mat4 line(0);
+    line[0] = glm::vec4(normal, 0), line[1] = 2.0f * line[0], line[2] = -line[0];
+    line[3][3] = 1;
+    EXPECT_TRUE(lies_in_surface(tangent_of({1, 2, 3}, normal, around_y, line), normal));
+  }
+}
+
 // -------------------------------------------------------------------------------- transforms
 
 TEST(Tangents, FollowTheSurfaceUnderUnevenScale) {
