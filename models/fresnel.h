@@ -10,7 +10,8 @@
 // and gives F in [0, 1]: 1 at grazing (c = 0), whatever the material. Light is unpolarised: F is
 // the mean of the reflectances of its two polarisations, perpendicular (s) and parallel (p) to the
 // plane of incidence. eta and k are relative to the medium outside. For metals by name see
-// metals.h.
+// metals.h; for how fragments are drawn of a conductor that is the same everywhere,
+// conductor_fit.h.
 //
 // P is the parameters' type: double where a parameter is constant, else the formula's own T.
 #pragma once
@@ -30,12 +31,13 @@ namespace scanlit::models {
 template <class T>
 T unpolarised(const T& c, const T& re, const T& im2) {
   const T minus = c - re, plus = c + re, sin2 = (T(1) - c) * (T(1) + c);
-  const T t = c * c * (re * re + im2) + sin2 * sin2, u = T(2) * c * re * sin2;
+  const T t = mul_add(c * c, mul_add(re, re, im2), sin2 * sin2);
+  const T t_plus_u = mul_add(T(2) * c * sin2, re, t);
   // Both are 0 at grazing where q is 0 too: within the denser of two media, and where there is no
   // surface (eta = 1, k = 0). The bound turns 0/0 into 1, the limit of every other index.
   const T bound(1e-30);
-  const T numerator = (minus * minus + im2 + bound) * t;
-  return min(numerator / ((plus * plus + im2 + bound) * (t + u)), T(1));
+  const T numerator = mul_add(minus, minus, im2 + bound) * t;
+  return min(numerator / (mul_add(plus, plus, im2 + bound) * t_plus_u), T(1));
 }
 
 /// eta and k from 0 to 1e6, not both 0. At normal incidence

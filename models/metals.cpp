@@ -67,22 +67,6 @@ constexpr OpticalConstants titanium[] = {
 constexpr const char* noble = "Johnson and Christy 1972";
 constexpr const char* transition = "Johnson and Christy 1974";
 
-/// Coefficients of the polynomial through the points (x[i], y[i]): Newton's divided differences,
-/// multiplied out.
-template <std::size_t size>
-std::array<double, size> interpolate(const std::array<double, size>& x,
-                                     std::array<double, size> y) {
-  for (std::size_t order = 1; order < size; ++order)
-    for (std::size_t i = size - 1; i >= order; --i)
-      y[i] = (y[i] - y[i - 1]) / (x[i] - x[i - order]);
-  std::array<double, size> p{};
-  for (std::size_t i = size; i-- > 0;) {  // p = p * (x - x[i]) + y[i]
-    for (std::size_t j = size - 1; j > 0; --j) p[j] = p[j - 1] - x[i] * p[j];
-    p[0] = y[i] - x[i] * p[0];
-  }
-  return p;
-}
-
 }  // namespace
 
 OpticalConstants Metal::at(double wavelength_nm) const {
@@ -142,22 +126,14 @@ Rgb<double> spectral_rgb(const Metal& metal, double cos_theta, Illuminant light)
 // Not the clamped curve is interpolated but the smooth one, at Chebyshev's nodes in x, which spread
 // the error evenly; evaluation clamps.
 MetalFresnel::MetalFresnel(const Metal& metal) {
-  constexpr std::size_t size = std::tuple_size_v<Polynomial>;
-  std::array<double, size> x, red, green, blue;
+  const auto x = chebyshev_nodes<size>();
+  std::array<double, size> red, green, blue;
   for (std::size_t i = 0; i < size; ++i) {
-    const double node =
-        std::cos(std::numbers::pi * (double(i) + 0.5) / double(size));  // in (-1, 1)
-    x[i] = 0.5 * (1 + node);
     const double c = 0.3 * x[i] / (1.3 - x[i]);  // compressed(c) = x[i]
     const Rgb<double> f = spectral_rgb(metal, c);
     red[i] = (1 - f.r) / x[i], green[i] = (1 - f.g) / x[i], blue[i] = (1 - f.b) / x[i];
   }
-  const auto rounded = [&x](const std::array<double, size>& y) {
-    Polynomial p;
-    std::ranges::copy(interpolate(x, y), p.begin());
-    return p;
-  };
-  red_ = rounded(red), green_ = rounded(green), blue_ = rounded(blue);
+  red_ = interpolate(x, red), green_ = interpolate(x, green), blue_ = interpolate(x, blue);
 }
 
 }  // namespace scanlit::models

@@ -8,15 +8,13 @@
 // each metal names its paper.
 #pragma once
 
-#include <array>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "models/polynomial.h"
 #include "models/spectrum.h"
-#include "rasterizer/batch.h"
-#include "rasterizer/scalar_math.h"
 
 namespace scanlit::models {
 
@@ -51,23 +49,21 @@ class MetalFresnel {
   template <class T>
   Rgb<T> operator()(const T& v_h) const {
     const T x = compressed(v_h);
-    const auto reflectance = [&x](const Polynomial& p) {
-      T sum(p.back());
-      for (std::size_t i = p.size() - 1; i-- > 0;) sum = mul_add(sum, x, T(p[i]));
-      return min(max(T(1) - x * sum, T(0)), T(1));
+    const auto reflectance = [&x](const Polynomial<size>& p) {
+      return min(max(T(1) - x * value_at(x, p), T(0)), T(1));
     };
     return {reflectance(red_), reflectance(green_), reflectance(blue_)};
   }
 
  private:
-  using Polynomial = std::array<float, 8>;  // coefficients of x^0 to x^7
+  static constexpr std::size_t size = 8;  // coefficients of x^0 to x^7
 
   template <class T>
   static T compressed(const T& c) {
     return T(1.3) * c / (c + T(0.3));
   }
 
-  Polynomial red_, green_, blue_;
+  Polynomial<size> red_, green_, blue_;
 };
 
 /// All metals, by name.

@@ -1,10 +1,13 @@
 // F(V.H): the share of light that a facet mirrors, chosen by name. The formulas are in
-// models/fresnel.h, the metals in models/metals.h.
+// models/fresnel.h, the metals in models/metals.h. In double a conductor is exact; what is drawn of
+// it may be fitted: models/conductor_fit.h.
 #pragma once
 
+#include <concepts>
 #include <string>
 #include <vector>
 
+#include "models/conductor_fit.h"
 #include "models/formula.h"
 #include "models/fresnel.h"
 #include "models/metals.h"
@@ -25,9 +28,12 @@ struct Fresnel {
   // Glass; as a conductor aluminium at 641 nm (models/metals.cpp).
   Rgb<P> eta{P(1.5)}, extinction{P(7.62)};
   const MetalFresnel* metal = nullptr;
+  ConductorFit conductor_fit{};
 
   // The name of a metal does not vary: what varies makes this run again for every vector.
   void prepare() {
+    if constexpr (std::same_as<P, double>)
+      if (fresnel == conductor) conductor_fit = ConductorFit(eta, extinction);
     if (fresnel >= first_metal && !metal)
       metal = &models::metal(metal_names()[std::size_t(fresnel - first_metal)]);
   }
@@ -38,7 +44,10 @@ struct Fresnel {
       case one: return UnitFresnel{}(v_h);
       case schlick: return SchlickFresnel<P>{f0}(v_h);
       case dielectric: return DielectricFresnel<P>{eta}(v_h);
-      case conductor: return ConductorFresnel<P>{eta, extinction}(v_h);
+      case conductor:
+        if constexpr (!std::same_as<T, double>)
+          if (conductor_fit.close()) return conductor_fit(v_h);
+        return ConductorFresnel<P>{eta, extinction}(v_h);
       default: return (*metal)(v_h);
     }
   }

@@ -8,6 +8,8 @@
 #include <complex>
 #include <random>
 
+#include "models/conductor_fit.h"
+#include "models/microfacet/fresnel_choice.h"
 #include "tests/unit/batch_lanes.h"
 
 namespace scanlit::models {
@@ -134,6 +136,60 @@ TEST(Fresnel, IsWithin0And1ForEveryParameterInAllPrecisions) {
         EXPECT_PRED1(in_range, dielectric_reflectance(c, eta));
         EXPECT_PRED1(in_range, first_lane(dielectric_reflectance<Batch>(c, eta)));
       }
+}
+
+// ---------------------------------------------------------------------------- fitted conductors
+
+TEST(ConductorFit, OfMostMetalsIsWithinItsTolerance) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double worst_double = 0, worst_float = 0, worst_batch = 0;
+  int close = 0;
+  constexpr int metals = 2000;
+  for (int round = 0; round < metals; ++round) {
+    const double eta = 0.02 + 6 * unit(random), k = 10 * unit(random);
+    const ConductorFit fit{Rgb<double>(eta), Rgb<double>(k)};
+    close += fit.close();
+    for (int i = 0; i < 50 && fit.close(); ++i) {
+      const float c = any_cosine(random);
+      const double exact = textbook(c, eta, k);
+      const auto worsen = [&](double& worst, double value) {
+        worst = std::max(worst, or_infinity(std::abs(value - exact)));
+      };
+      worsen(worst_double, fit(double(c)).r);
+      worsen(worst_float, fit(c).g);
+      worsen(worst_batch, first_lane(fit(Batch(c)).b));
+    }
+  }
+  EXPECT_GE(close, 0.97 * metals);
+  EXPECT_LE(worst_double, 1.01 * ConductorFit::tolerance);
+  EXPECT_LE(worst_float, 2 * ConductorFit::tolerance);
+  EXPECT_LE(worst_batch, 2 * ConductorFit::tolerance);
+}
+
+TEST(ConductorFit, IsNotTakenWhereItWouldBeOff) {
+  const auto close = [](double eta, double k) {
+    return ConductorFit({1.5, eta, 1.5}, {7.62, k, 7.62}).close();
+  };
+  EXPECT_TRUE(close(1.5, 7.62));
+  EXPECT_TRUE(close(0.05, 3));
+  EXPECT_FALSE(close(1 / 1.5, 0)) << "total reflection";
+  EXPECT_FALSE(close(0.2, 0.01));
+  EXPECT_FALSE(close(1, 0)) << "no surface";
+  EXPECT_FALSE(ConductorFit().close()) << "nothing is fitted yet";
+}
+
+TEST(ConductorFit, IsWhatAModelDrawsButNotWhatItIsInDouble) {
+  microfacet::Fresnel<> model;
+  model.fresnel = microfacet::Fresnel<>::conductor;
+  model.eta = {0.3, 1.0, 1.2}, model.extinction = {3.2, 2.6, 2.4};
+  model.prepare();
+  const ConductorFresnel<> exact{.eta = model.eta, .k = model.extinction};
+  EXPECT_EQ(model.F(0.5), exact(0.5));
+  EXPECT_EQ(model.F(0.5f), ConductorFit(model.eta, model.extinction)(0.5f));
+  model.eta.g = 1, model.extinction.g = 1e-3;
+  model.prepare();
+  EXPECT_EQ(model.F(0.5f), (ConductorFresnel<>{model.eta, model.extinction}(0.5f)));
 }
 
 TEST(FresnelClasses, GiveEachChannelItsOwn) {
