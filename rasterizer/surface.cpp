@@ -106,7 +106,7 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
   const bool positions = span.draw->illumination.needs_position;
   const auto interpolate = [&](const auto& values, auto& out) {
-    RunAttribute<int(std::extent_v<std::remove_reference_t<decltype(out)>>)> runs;
+    RunAttribute<int(std::extent_v<std::remove_reference_t<decltype(out)>>), true> runs;
     for (int r = 0; r < span.run_count; ++r) {
       const auto& v = Corners(mesh, span.runs[r].drawn->triangle).vertex;
       runs.put(r, {&values[v[0]].x, &values[v[1]].x, &values[v[2]].x}, 1);

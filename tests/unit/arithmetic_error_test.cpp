@@ -128,13 +128,11 @@ class ArithmeticError : public testing::TestWithParam<std::string> {};
 
 TEST_P(ArithmeticError, IsFarBelowAnEightBitStep) {
   const models::NamedModel model = model_of(GetParam());
-  // Fine fibres magnify what a position in float has lost.
-  const double factor = GetParam() == "material:oak" ? 1.5 : 1;
   for (SmallScene& s : small_scenes())
     for (const Shading shading : {Shading::flat, Shading::gouraud, Shading::phong}) {
       dress(s.scene, model, shading);
       SCOPED_TRACE(std::to_string(int(shading)));
-      expect_exact(s, factor);
+      expect_exact(s);
     }
 }
 
