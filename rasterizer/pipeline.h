@@ -25,7 +25,8 @@
 //       lighting         lighting.cpp       the reflection model, under every light    world
 //                                           (radiance.h: the sum over the lights)
 //       tangents         tangents.h         which way the surface is brushed           world
-//  (10) framebuffer      framebuffer.h      linear light, or 8-bit codes (pixel_codes.h)
+//  (10) framebuffer      framebuffer.h      linear light, or 8-bit codes (pixel_codes.h),
+//                                           written a tile at a time (tile_colours.h)
 //  (11) image            image.h            a file
 //
 // Reflection models plug into (9) through reflection_model.h; how to write one is said at the top

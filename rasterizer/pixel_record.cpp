@@ -6,7 +6,8 @@
 #include "rasterizer/frame_probe.h"
 #include "rasterizer/resolve.h"
 #include "rasterizer/scan_conversion.h"
-#include "rasterizer/tile.h"
+#include "rasterizer/shading.h"
+#include "rasterizer/tile_colours.h"
 
 namespace scanlit {
 
@@ -138,11 +139,10 @@ void PixelProbe::resolve(const Frame& frame, const VisibilityTile& visibility) {
 void PixelProbe::add(const Frame& frame, const FragmentSpan& span, const Run& run, int i) {
   take_fragment(span, run, i, one_);
   // A picture of this one pixel.
-  const auto width = std::size_t(frame.viewport.width);
-  const std::size_t first = index_of_pixel(span.pixel[i], width);
+  const std::size_t first = index_of_pixel(span.pixel[i], 1);
   const auto target = [&](Framebuffer& f) {
     return ColourTarget{
-        .linear = f.colour.data(), .width = width, .first_pixel = first, .first_in_planes = first};
+        .linear = f.colour.data(), .width = 1, .first_pixel = first, .first_in_planes = first};
   };
   shader_.shade(frame, one_, target(sum_), sum_);
   one_.weight[0] = 1;

@@ -197,12 +197,14 @@ void VisibilityTile::reset(const Rect& tile, const Rect& touched_pixels, int sam
   stride = width + lanes;
   const auto size = std::size_t(stride) * std::size_t(height * samples);
   if (depth.size() < size) depth.resize(size), triangle.resize(size);
+  const auto none = hn::Set(ints, std::int32_t(no_triangle));
   for (int s = 0; s < samples; ++s)
     for (int y = touched.y_begin; y < touched.y_end; ++y) {
-      const std::size_t first = row(s, y) + std::size_t(touched.x_begin - rect.x_begin);
-      const auto count = std::size_t(touched.x_end - touched.x_begin);
-      std::fill_n(depth.begin() + std::ptrdiff_t(first), count, 0.0f);
-      std::fill_n(triangle.begin() + std::ptrdiff_t(first), count, no_triangle);
+      const std::size_t first = row(s, y) - std::size_t(rect.x_begin);
+      for (int x = touched.x_begin; x < touched.x_end; x += lanes) {
+        Batch(0).store(&depth[first + std::size_t(x)]);
+        hn::StoreU(none, ints, reinterpret_cast<std::int32_t*>(&triangle[first + std::size_t(x)]));
+      }
     }
 }
 

@@ -43,10 +43,10 @@ bool consecutive(const FragmentSpan& span, int first) {
 void add(float weight, float value, float& sum) { sum = weight < 1 ? sum + weight * value : value; }
 
 /// Into a plane of three channels.
-void add_to(std::vector<float>& plane, const ColourTarget& target, const FragmentSpan& span,
-            const float (&values)[3][SurfaceSpan::padded]) {
+void add_to(std::vector<float>& plane, const Framebuffer& f, const ColourTarget& target,
+            const FragmentSpan& span, const float (&values)[3][SurfaceSpan::padded]) {
   for (int i = 0; i < span.size; ++i) {
-    const std::size_t index = index_of_pixel(span.pixel[i], target.width);
+    const std::size_t index = index_of_pixel(span.pixel[i], std::size_t(f.width));
     float* const pixel = &plane[3 * (index - target.first_in_planes)];
     for (int c = 0; c < 3; ++c) add(span.weight[i], values[c][i], pixel[c]);
   }
@@ -86,9 +86,9 @@ void SpanShader::shade(const Frame& frame, const FragmentSpan& span, const Colou
   stats.fragments += span.pixels;
   write(span, target);
   if (parts) {
-    add_to(framebuffer.ambient, target, span, lit_.ambient);
-    add_to(framebuffer.diffuse, target, span, lit_.diffuse);
-    add_to(framebuffer.glossy, target, span, lit_.glossy);
+    add_to(framebuffer.ambient, framebuffer, target, span, lit_.ambient);
+    add_to(framebuffer.diffuse, framebuffer, target, span, lit_.diffuse);
+    add_to(framebuffer.glossy, framebuffer, target, span, lit_.glossy);
   }
   if (!framebuffer.normal.empty()) write_normals(frame, span, target, framebuffer);
   if (!framebuffer.cost.empty() && span.draw->object->shading == Shading::phong)
@@ -244,7 +244,7 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
     Places unused;
     place(frame, *span.draw, surface_, unused);
   }
-  add_to(framebuffer.normal, target, span, surface_.normal);
+  add_to(framebuffer.normal, framebuffer, target, span, surface_.normal);
 }
 
 }  // namespace scanlit

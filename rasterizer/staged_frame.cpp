@@ -8,7 +8,7 @@
 #include "rasterizer/scan_conversion.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/stages.h"
-#include "rasterizer/tile.h"
+#include "rasterizer/tile_colours.h"
 #include "rasterizer/triangle_culling.h"
 
 namespace scanlit {
