@@ -30,13 +30,13 @@ float in_batch(const std::function<Batch(const Vec3<Batch>&)>& noise, const Vec3
   return values[0];
 }
 
-/// An input's channels at points in object space.
+/// An input's channels at points in object space; their x and y are their u and v too.
 std::vector<std::array<float, 3>> values_at(const std::string& call,
                                             const std::vector<Vec3<float>>& at,
                                             const Rgb<float>& vertex_colour = Rgb<float>(1.0f)) {
   const auto input = models::make_input(call, {"test", "", 0});
   const std::size_t padded = at.size() + max_lanes;
-  std::vector<float> position[3], zero(padded), colour[3], out[3];
+  std::vector<float> position[3], colour[3], out[3];
   for (int c = 0; c < 3; ++c) position[c].resize(padded), out[c].resize(padded);
   for (std::size_t i = 0; i < at.size(); ++i)
     position[0][i] = at[i].x, position[1][i] = at[i].y, position[2][i] = at[i].z;
@@ -46,7 +46,7 @@ std::vector<std::array<float, 3>> values_at(const std::string& call,
   const PointSpan points{
       .size = at.size(),
       .object_position = {position[0].data(), position[1].data(), position[2].data()},
-      .texcoord = {zero.data(), zero.data()},
+      .texcoord = {position[0].data(), position[1].data()},
       .vertex_colour = {colour[0].data(), colour[1].data(), colour[2].data()}};
   float* const arrays[3] = {out[0].data(), out[1].data(), out[2].data()};
   input->evaluate(points, 3, arrays);
@@ -150,6 +150,22 @@ TEST(VertexColour, IsTheMeshesTimesTheTint) {
             (std::array<float, 3>{0.25f, 0.5f, 0.75f}));
   EXPECT_EQ(values_at("vertex-colour(tint=.5/1/0)", {{0, 0, 0}}, {0.25f, 0.5f, 0.75f})[0],
             (std::array<float, 3>{0.125f, 0.5f, 0.0f}));
+}
+
+TEST(Checker, FieldsChangeAlongBothCoordinates) {
+  // Four fields from 0 to 1, so each is a quarter wide; the one at (0, 0) is a's.
+  std::vector<Vec3<float>> at;
+  for (int row = -4; row < 4; ++row)
+    for (int column = -4; column < 4; ++column)
+      for (const float within : {0.01f, 0.24f})
+        at.push_back({float(column) / 4 + within, float(row) / 4 + within, 0});
+  const auto values = values_at("checker(a=.9/.5/.1,b=.2,count=4)", at);
+  for (std::size_t i = 0; i < at.size(); ++i) {
+    const auto field = std::lround(std::floor(4 * at[i].x) + std::floor(4 * at[i].y));
+    EXPECT_EQ(values[i], (field % 2 == 0 ? std::array<float, 3>{0.9f, 0.5f, 0.1f}
+                                         : std::array<float, 3>{0.2f, 0.2f, 0.2f}))
+        << at[i].x << ", " << at[i].y;
+  }
 }
 
 TEST(Wood, ColoursLieBetweenEarlyAndLate) {
