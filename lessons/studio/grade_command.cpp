@@ -7,6 +7,7 @@
 #include <set>
 #include <thread>
 
+#include "lessons/assignments/grade/leaderboard.h"
 #include "lessons/assignments/grade/run.h"
 #include "lessons/assignments/grade/write_file.h"
 #include "lessons/assignments/grade/writers.h"
@@ -79,12 +80,15 @@ void report_faults(const GradeRun& run) {
                 " of the submissions could not be judged, all others are; " + first);
 }
 
-void write_all(const fs::path& results, const std::string& title, const GradeRun& run,
+void write_all(const fs::path& results, const Assignment& assignment, const GradeRun& run,
                const sandbox::Layers& layers) {
+  const std::string title = assignment.id + " " + assignment.title;
   write_file(results / "grades.csv", class_csv(title, run.grades));
   write_file(results / "parts.csv", parts_csv(run.grades));
   write_file(results / "junit.xml", junit_xml(title, run.grades));
   write_file(results / "index.html", overview_page(title, run.grades, about(run, layers)));
+  if (assignment.effort)
+    write_file(results / "leaderboard.csv", leaderboard_csv(results, run.grades));
 }
 
 void grade(const GradeOptions& options) {
@@ -115,8 +119,7 @@ void grade(const GradeOptions& options) {
     job.progress = [&](double share) { bar.show(share); };
     run = run_grading(job);
   }
-  const auto& assignment = assignments::assignment(job.rubric.assignment);
-  write_all(job.results, assignment.id + " " + assignment.title, run, job.layers);
+  write_all(job.results, assignments::assignment(job.rubric.assignment), run, job.layers);
   std::cout << options.output << ": " << run.judged << " judged, " << run.kept
             << " as before; behind " << sandbox::in_force(job.layers) << '\n';
   report_faults(run);

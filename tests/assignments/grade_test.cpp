@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <fstream>
+#include <sstream>
 
+#include "lessons/assignments/grade/leaderboard.h"
 #include "lessons/assignments/grade/run.h"
 #include "lessons/assignments/grade/writers.h"
 #include "lessons/studio/pages/page.h"
@@ -146,6 +148,32 @@ TEST_F(Grading, RosterMarksAndLateDays) {
   EXPECT_EQ(run.grades[0].comment, "on paper");
   write(path("marks.toml"), "[team]\nstile = 4\n");
   EXPECT_THROW(read_marks(path("marks.toml"), job_.rubric), Error);
+}
+
+TEST(Leaderboard, IsOfRightProgramsAndApartFromVerdicts) {
+  const Assignment& a8 = assignment("A8");
+  const studio::TemporaryFolder folder;
+  GradeJob job;
+  job.rubric = {.assignment = "A8",
+                .tests = {{.id = "A8.1", .part = "A8.1", .name = "Right", .points = 30}}};
+  job.results = folder.file("results");
+  const auto wrong = wrong_solutions(a8);
+  for (const auto& [name, text] : {std::pair{"more", wrong[2].text},  // nothing is left out
+                                   {"=starter", starter_text(a8)},
+                                   {"less", solution_text(a8)}}) {
+    job.submissions.push_back(fs::path(folder.file("submissions")) / name);
+    write(job.submissions.back() / a8.file, text);
+  }
+  const GradeRun run = run_grading(job);
+  const std::string board = leaderboard_csv(job.results, run.grades);
+  std::istringstream lines(board);
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(lines, line);) rows.push_back(line);
+  ASSERT_EQ(rows.size(), 3u) << board;
+  EXPECT_EQ(rows[1].find("less,"), 0u);
+  EXPECT_EQ(rows[2].find("more,"), 0u);
+  const std::string result = studio::read_text(job.results / safe_name("less") / "result.json");
+  EXPECT_EQ(result.find("evaluations"), result.npos) << result;
 }
 
 TEST(LateFactor, LosesAShareADayAndThenAll) {

@@ -52,15 +52,31 @@ std::vector<WrongSolution> wrong_solutions(const Assignment& assignment) {
   return all;
 }
 
-Verdict judge_text(const Assignment& assignment, const std::string& text, std::uint64_t seed) {
+namespace {
+
+Verdict judge_by(const Rubric& rubric, const Assignment& assignment, const std::string& text) {
   const studio::TemporaryFolder folder;
   const fs::path submission = folder.file("submission"), scratch = folder.file("scratch");
   fs::create_directories(submission), fs::create_directories(scratch);
   std::ofstream(submission / assignment.file) << text;
+  // An endless loop is found out sooner.
+  return judge(assignment, submission, rubric,
+               {.scratch = scratch, .limits = {.cpu_seconds = 2}, .effort = false});
+}
+
+}  // namespace
+
+Verdict judge_text(const Assignment& assignment, const std::string& text, std::uint64_t seed) {
   Rubric rubric = read_rubric(data_folder() / assignment.folder / "rubric.toml");
   rubric.seed = seed;
-  // An endless loop is found out sooner.
-  return judge(assignment, submission, rubric, {.scratch = scratch, .limits = {.cpu_seconds = 2}});
+  return judge_by(rubric, assignment, text);
+}
+
+Verdict judge_part(const Assignment& assignment, const std::string& text, const std::string& part,
+                   std::uint64_t questions) {
+  const RubricTest test{
+      .id = part, .part = part, .name = part, .points = 1, .questions = questions};
+  return judge_by({.assignment = assignment.id, .tests = {test}}, assignment, text);
 }
 
 }  // namespace scanlit::assignments::test

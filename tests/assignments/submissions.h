@@ -27,4 +27,8 @@ std::string starter_text(const Assignment& assignment);
 /// The verdict on this text as the file handed in, by the assignment's own rubric.
 Verdict judge_text(const Assignment& assignment, const std::string& text, std::uint64_t seed = 1);
 
+/// The same of one part alone, asked other questions.
+Verdict judge_part(const Assignment& assignment, const std::string& text, const std::string& part,
+                   std::uint64_t questions = 1);
+
 }  // namespace scanlit::assignments::test

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "variant.h"
 
@@ -20,51 +21,76 @@ bool hides(const Fragment& later, const Fragment& earlier) {
   return (later.depth > earlier.depth) == variant::larger_is_nearer;
 }
 
-/// The index of the fragment that each pixel shows; -1 where there is none.
+}  // namespace
+
+//>>
+/// Of each pixel the fragment that is seen, an index; -1 where there is none.
 std::vector<int> visible(const Row& row) {
   std::vector<int> seen(std::size_t(row.width), -1);
   for (int i = 0; i < int(row.fragments.size()); ++i) {
-    int& at = seen[std::size_t(row.fragments[std::size_t(i)].column)];
-    if (at < 0 || hides(row.fragments[std::size_t(i)], row.fragments[std::size_t(at)])) at = i;
+    const Fragment& f = row.fragments[std::size_t(i)];
+    int& at = seen[std::size_t(f.column)];
+    //<< TODO(A8.1) Of two the nearer one; your variant says which that is, and what if none is.
+    if (at < 0 || hides(f, row.fragments[std::size_t(at)])) at = i;
+    //== at = i;
+    //>>
   }
   return seen;
 }
 
-/// The most that a light can add.
+/// The most that a light can add to a channel.
 double bound(const Row& row, const Fragment& fragment, const Light& light) {
+  //<< TODO(A8.3) Nothing from behind the surface or out of reach; else less with distance.
   const Vector to_light = light.position - fragment.position;
   if (dot(fragment.normal, to_light) <= 0) return 0;
-  const double share = std::max(0.0, 1 - dot(to_light, to_light) / (light.reach * light.reach));
-  return light.intensity * share * share * row.peak;
+  const double near = std::sqrt(dot(to_light, to_light)) / light.reach;
+  if (near >= 1) return 0;
+  const double share = std::pow(1 - std::pow(near, variant::inner), variant::outer);
+  return light.intensity * share * row.peak;
+  //== return light.intensity * row.peak;
+  //>>
 }
 
-}  // namespace
-
-//>>
-std::vector<Colour> shade(const Row& row) {
-  //<< TODO(A8) The picture first, then the same with fewer evaluations.
-  std::vector<Pair> pairs;
-  for (const int i : visible(row)) {
-    if (i < 0) continue;
-    std::vector<std::pair<double, int>> lights;
-    for (int light = 0; light < int(row.lights.size()); ++light)
-      lights.emplace_back(bound(row, row.fragments[std::size_t(i)], row.lights[std::size_t(light)]),
-                          light);
-    // The weakest are left out, as long as all of them together cannot be seen.
-    std::ranges::sort(lights);
-    double left_out = 0;
-    for (const auto& [most, light] : lights)
-      if ((left_out += most) > row.tolerance) pairs.push_back({i, light});
+/// The lights that are evaluated for a fragment.
+std::vector<int> lights_of(const Row& row, const Fragment& fragment) {
+  std::vector<std::pair<double, int>> lights;  // the most that it can add, and which
+  for (int i = 0; i < int(row.lights.size()); ++i) {
+    const double most = bound(row, fragment, row.lights[std::size_t(i)]);
+    if (most > 0) lights.emplace_back(most, i);
   }
+  //<< TODO(A8.4) Without the weakest, as long as nobody can notice.
+  std::ranges::sort(lights);
+  auto first = lights.begin();
+  for (double left_out = 0; first != lights.end(); ++first)
+    if ((left_out += first->first) > row.tolerance) break;
+  lights.erase(lights.begin(), first);
+  //>>
+  std::vector<int> all;
+  for (const auto& [most, light] : lights) all.push_back(light);
+  return all;
+}
+
+std::vector<Colour> shade(const Row& row) {
+  const std::vector<int> seen = visible(row);
+  std::vector<Pair> pairs;
+  //<< TODO(A8.2) Every fragment is evaluated as it was drawn, seen or not.
+  for (const int i : seen)
+    if (i >= 0)
+      for (const int light : lights_of(row, row.fragments[std::size_t(i)]))
+        pairs.push_back({i, light});
+  //== for (int i = 0; i < int(row.fragments.size()); ++i)
+  //==   for (const int light : lights_of(row, row.fragments[std::size_t(i)]))
+  //==     pairs.push_back({i, light});
+  //>>
   const std::vector<Colour> added = evaluate(pairs);
   std::vector<Colour> pixels(std::size_t(row.width), Colour{0, 0, 0});
   for (std::size_t k = 0; k < pairs.size(); ++k) {
-    Colour& pixel = pixels[std::size_t(row.fragments[std::size_t(pairs[k].fragment)].column)];
+    const int column = row.fragments[std::size_t(pairs[k].fragment)].column;
+    if (seen[std::size_t(column)] != pairs[k].fragment) continue;
+    Colour& pixel = pixels[std::size_t(column)];
     pixel = {pixel.r + added[k].r, pixel.g + added[k].g, pixel.b + added[k].b};
   }
   return pixels;
-  //== return std::vector<Colour>(std::size_t(row.width), Colour{0.5, 0.5, 0.5});
-  //>>
 }
 
 }  // namespace a8

@@ -22,9 +22,9 @@ struct Fragment {
   Vector normal;    // unit
 };
 
-/// A point light. At distance d it is seen with share (1 - (d / reach)^2)^2, and not at all from
-/// `reach` on. What it adds to a fragment is at most intensity * share * peak in each channel, and
-/// nothing where it stands behind the surface.
+/// A point light. At distance d it is seen with share (1 - (d / reach)^inner)^outer, powers of your
+/// variant, and not at all from `reach` on. What it adds to a fragment is at most
+/// intensity * share * peak in each channel, and nothing where it stands behind the surface.
 struct Light {
   Vector position;
   double intensity, reach;

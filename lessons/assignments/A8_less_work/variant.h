@@ -4,6 +4,7 @@
 namespace a8::variant {
 
 constexpr bool larger_is_nearer = {{larger_is_nearer}};
-constexpr bool first_wins = {{first_wins}};  // of equal depths; else the last one
+constexpr bool first_wins = {{first_wins}};          // of equal depths; else the last one
+constexpr int inner = {{inner}}, outer = {{outer}};  // (1 - (d / reach)^inner)^outer
 
 }  // namespace a8::variant

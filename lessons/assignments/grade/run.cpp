@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lessons/assignments/grade/json_text.h"
+#include "lessons/assignments/grade/leaderboard.h"
 #include "lessons/assignments/grade/write_file.h"
 #include "lessons/assignments/grade/writers.h"
 #include "lessons/assignments/judge/report.h"
@@ -144,6 +145,7 @@ class Grading {
       place->message = test.message;
       seconds[test.id] = test.seconds;
     }
+    if (verdict.effort) seconds["effort"] = effort_json(*verdict.effort);
     for (const JudgedPicture& picture : verdict.pictures) {
       std::erase_if(result.pictures, [&](const auto& old) { return old.name == picture.name; });
       result.pictures.push_back(picture);

@@ -32,6 +32,13 @@ void print_indented(std::ostream& out, const std::string& text, const char* inde
 
 std::string points_text(double points) { return studio::text_of(points); }
 
+std::string effort_text(const Effort& effort) {
+  std::string text = "For a leaderboard, not for points: " + studio::grouped(effort.evaluations) +
+                     " evaluations at " + studio::grouped(effort.fragments) + " fragments, ";
+  if (effort.instructions > 0) text += studio::grouped(effort.instructions) + " instructions, ";
+  return text + studio::fixed(1000 * effort.seconds, 2) + " ms.";
+}
+
 void print_report(std::ostream& out, const Assignment& assignment, const Verdict& verdict) {
   out << assignment.id << ", " << assignment.title << ", variant " << verdict.seed << "\n\n";
   std::size_t name_width = 5;
@@ -59,6 +66,7 @@ void print_report(std::ostream& out, const Assignment& assignment, const Verdict
   }
   if (!verdict.tests.empty() && verdict.tests.back().message.empty()) out << '\n';
   row("", "Total", "", points(verdict), max_points(verdict));
+  if (verdict.effort) out << '\n' << effort_text(*verdict.effort) << '\n';
   if (!verdict.built && !verdict.tests.empty()) {
     out << '\n' << verdict.tests.front().message << '\n';
     print_indented(out, verdict.build_log, "  ");

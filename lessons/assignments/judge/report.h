@@ -17,6 +17,9 @@ void print_report(std::ostream& out, const Assignment& assignment, const Verdict
 /// two, and zoom. One file that needs no other.
 std::string report_page(const Assignment& assignment, const Verdict& verdict);
 
+/// A line about what a right program has done.
+std::string effort_text(const Effort& effort);
+
 /// 7.5, 20
 std::string points_text(double points);
 

@@ -126,6 +126,7 @@ std::string report_page(const Assignment& assignment, const Verdict& verdict) {
           " points</b>.</p>\n<table><tr><th>Test</th><th></th><th></th><th></th></tr>\n";
   for (const TestScore& test : verdict.tests) page += row(test, verdict.built);
   page += "</table>\n";
+  if (verdict.effort) page += "<p>" + effort_text(*verdict.effort) + "</p>\n";
   if (!verdict.built && !verdict.tests.empty())
     page += "<p>" + escape_html(verdict.tests.front().message) + "</p>\n<pre>" +
             escape_html(verdict.build_log) + "</pre>\n";

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,14 @@ struct JudgedPicture {
   std::vector<std::uint8_t> difference{};
 };
 
+/// What a right program has done, for a leaderboard: never for points.
+struct Effort {
+  std::int64_t evaluations = 0;   // of the model, counted by the judge
+  std::int64_t fragments = 0;     // that were evaluated at all
+  std::int64_t instructions = 0;  // counted by callgrind; 0 where it cannot be had
+  double seconds = 0;             // wall time, on fresh questions; never compared
+};
+
 struct Verdict {
   std::string assignment{};  // "A1"
   std::uint64_t seed = 0;    // of the variant
@@ -36,6 +45,7 @@ struct Verdict {
   std::string build_log{};  // the compiler's words: text that students can shape, of limited length
   bool built = false;
   std::vector<JudgedPicture> pictures{};
+  std::optional<Effort> effort{};
 };
 
 double points(const Verdict& verdict);

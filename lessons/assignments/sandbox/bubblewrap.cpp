@@ -30,8 +30,10 @@ Words bubblewrapped(const Words& program, const std::vector<fs::path>& readable,
   for (const fs::path& path : toolchain()) mount_read_only(words, path);
   add(words, {"--dev-bind", "/dev/null", "/dev/null"});
   add(words, {"--dev-bind", "/dev/urandom", "/dev/urandom"});
-  if (writable) add(words, {"--size", std::to_string(tmp_bytes), "--tmpfs", "/tmp"});
-  for (const fs::path& path : readable) add(words, {"--ro-bind", path.string(), path.string()});
+  if (tmp_bytes > 0) add(words, {"--size", std::to_string(tmp_bytes), "--tmpfs", "/tmp"});
+  for (const fs::path& path : readable)
+    path == "/proc" ? add(words, {"--proc", "/proc"})
+                    : add(words, {"--ro-bind", path.string(), path.string()});
   add(words, {writable ? "--bind" : "--ro-bind", scratch.string(), scratch.string()});
   add(words, {"--remount-ro", "/", "--chdir", scratch.string()});
   if (filter >= 0) add(words, {"--seccomp", std::to_string(filter)});

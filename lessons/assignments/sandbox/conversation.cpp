@@ -37,6 +37,12 @@ Outcome Conversation::finish() {
   return process_->outcome;
 }
 
+Outcome Conversation::hang_up() {
+  process_->questions.close();
+  process_->wait(process_->deadline());
+  return finish();
+}
+
 std::string describe(const Outcome& outcome, const Limits& limits) {
   const auto whole = [](double seconds) { return std::to_string(long(std::ceil(seconds))) + " s"; };
   switch (outcome.end) {

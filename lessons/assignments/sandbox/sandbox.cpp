@@ -19,7 +19,7 @@ namespace scanlit::sandbox {
 namespace fs = std::filesystem;
 
 struct Sandbox::State {
-  fs::path folder, scratch;
+  fs::path folder, scratch, temporary;  // the last for valgrind alone
   std::vector<fs::path> readable;
   Limits limits;
   Layers layers;
@@ -94,7 +94,9 @@ void Sandbox::State::seal() {
 Launch Sandbox::State::prepare(const std::vector<std::string>& argv) {
   Launch launch;
   launch.argv = argv;
-  launch.environment = environment(scratch, layers.bubblewrap ? "/tmp" : scratch);
+  launch.environment = environment(scratch, layers.bubblewrap   ? "/tmp"
+                                            : temporary.empty() ? scratch
+                                                                : temporary);
   launch.folder = scratch.string();
   launch.limits = limits;
   if (user) {
@@ -111,12 +113,13 @@ Launch Sandbox::State::prepare(const std::vector<std::string>& argv) {
   }
   if (layers.bubblewrap) {
     launch.bubblewrap = true;
-    launch.argv = bubblewrapped(argv, readable, scratch, !sealed, limits.file_bytes,
+    launch.argv = bubblewrapped(argv, readable, scratch, !sealed,
+                                sealed && temporary.empty() ? 0 : limits.file_bytes,
                                 launch.filter ? filter_descriptor : -1);
   } else if (layers.landlock) {
     std::vector<fs::path> seen = readable;
     seen.push_back(scratch);
-    landlock = landlock_rules(seen, sealed ? fs::path() : scratch);
+    landlock = landlock_rules(seen, sealed ? temporary : scratch);
     launch.landlock = landlock.number();
   }
   return launch;
@@ -149,6 +152,14 @@ Sandbox::~Sandbox() {
 }
 
 const fs::path& Sandbox::scratch() const { return state_->scratch; }
+void Sandbox::allow_valgrind() {
+  state_->readable.push_back("/proc");
+  state_->temporary = state_->folder / "tmp";
+  fs::create_directories(state_->temporary);
+  const uid_t owner = state_->user ? state_->user->user() : geteuid();
+  if (chown(state_->temporary.c_str(), owner, gid_t(-1)) != 0)
+    throw Error(state_->temporary.string(), std::strerror(errno));
+}
 Limits& Sandbox::limits() { return state_->limits; }
 const Layers& Sandbox::layers() const { return state_->layers; }
 unsigned Sandbox::user() const { return state_->user ? state_->user->user() : 0; }

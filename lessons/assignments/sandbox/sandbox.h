@@ -74,6 +74,8 @@ class Conversation {
 
   /// Ends it now and says how it was until then. What it printed is in the outcome.
   Outcome finish();
+  /// Asks nothing more and lets it end by itself, in time.
+  Outcome hang_up();
 
  private:
   [[noreturn]] void give_up(bool in_time);
@@ -93,6 +95,11 @@ class Sandbox {
 
   /// Put here what is to be compiled: regular files. Programs start in it.
   const std::filesystem::path& scratch() const;
+
+  /// What valgrind wants of a program's surroundings: those that are started next may read /proc,
+  /// behind bubblewrap that of their own processes, else of all, as far as their user may look; and
+  /// have a folder for temporary files.
+  void allow_valgrind();
 
   Limits& limits();  // of the programs that are started next
   const Layers& layers() const;

@@ -50,7 +50,10 @@ UserLease::UserLease() {
   // In many containers process 1 buries nobody.
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   std::filesystem::create_directories(locks);
-  for (uid_t user = first_user; user < first_user + user_count; ++user) {
+  // From anywhere: a judge in another root does not see these locks.
+  const uid_t start = uid_t(getpid());
+  for (uid_t i = 0; i < user_count; ++i) {
+    const uid_t user = first_user + (start + i) % user_count;
     const std::string name = std::string(locks) + "/uid-" + std::to_string(user);
     Descriptor lock(open(name.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0600));
     if (!lock) throw Error(name, "cannot be opened");
