@@ -56,7 +56,7 @@ Point at(int half_columns, int half_rows) {
 }
 //>>
 void covers_something() {
-  //<< TODO(A9) A first test. Which triangles, and what must hold?
+  //<< TODO(A9.1) A first test. Which triangles, and what must hold?
   check_fragments({{at(0, 0), at(8, 0), at(0, 8)}});
   check_fragments({{at(1, 1), at(23, 5), at(9, 27)}});
   //== check(true);

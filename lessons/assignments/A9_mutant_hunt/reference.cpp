@@ -86,6 +86,22 @@ Fragments right(int design, const ScanVariant& variant, const Request& request) 
   return all;
 }
 
+namespace {
+
+/// As many fragments as before, elsewhere in the picture.
+void move(Fragments& all, const Request& r, int how) {
+  const auto last = [](const Fragment& a, const Fragment& b) { return a.row < b.row; };
+  const int last_row = std::ranges::max_element(all, last)->row;
+  for (Fragment& f : all) {
+    if (how == 0) f.column = (f.column + 1) % r.width;
+    if (how == 1) f.row = (f.row + 1) % r.height;
+    if (how == 2) f.column = r.width - 1 - f.column;
+    if (how == 3 && f.row == last_row) f.column = (f.column + 1) % r.width;
+  }
+}
+
+}  // namespace
+
 const char* hint(int fault) {
   constexpr const char* hints[faults] = {
       "which of two triangles owns the points of an edge that is not horizontal",
@@ -96,7 +112,8 @@ const char* hint(int fault) {
       "triangles that are small or thin",
       "how often a pixel is drawn",
       "triangles without area",
-      "what the stage was asked before"};
+      "what the stage was asked before",
+      "where fragments are, though there are as many as there should be"};
   return hints[fault];
 }
 
@@ -155,6 +172,7 @@ Fragments Mutant::operator()(const Request& request) {
   if (fault_ == 8 && calls_ > 2 + amount_ && !all.empty())
     choice_ < 2 ? all.erase(all.begin()) : all.end();
   if (fault_ == 8 && calls_ > 2 + amount_ && choice_ >= 2) all.clear();
+  if (fault_ == 9 && all.size() > std::size_t(2 + amount_)) move(all, request, choice_);
   return all;
 }
 

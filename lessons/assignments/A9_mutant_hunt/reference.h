@@ -20,7 +20,7 @@ constexpr int right_designs = 3;
 /// Row by row in spans; column by column, backwards; by quarters of the picture.
 Fragments right(int design, const scan::ScanVariant& variant, const Request& request);
 
-constexpr int faults = 9;
+constexpr int faults = 10;
 
 /// What a fault has to do with.
 const char* hint(int fault);

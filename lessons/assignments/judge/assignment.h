@@ -6,7 +6,8 @@
 //   NAME.cpp        the solution; strip.h says how the starter is made from it. A reflection model
 //                   is a NAME.h alone: see answer/model.h
 //   variant.h       the variant as constants, for who likes to write code that asks
-//   main.cpp        serves the judge's questions by calling those functions: see answer/serve.h
+//   questions.h     what the judge asks
+//   main.cpp        serves these questions by calling those functions: see answer/serve.h
 //   rubric.toml     points: see rubric.h
 //   wrong.toml      typical wrong solutions, what they score and what is said about them
 //   judge.cpp       `Assignment a4_shading()`: the variant, the parts
@@ -17,6 +18,7 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -39,6 +41,8 @@ struct Examination {
   std::uint64_t variant;    // seed of the variant
   std::uint64_t questions;  // seed of what is asked
   std::vector<JudgedPicture>& pictures;
+  // By number, what of the submission never ends whoever asks: not to be waited for again.
+  std::set<std::int64_t>& endless;
 };
 
 struct Part {
@@ -60,6 +64,9 @@ struct Assignment {
   // For the page: file names, and pictures of which `fresh` is shown.
   std::function<std::map<std::string, JudgedPicture>(std::uint64_t seed)> illustrations;
   std::vector<Part> parts;
+  double cpu_seconds = 1e9;  // of a process, where that is less than the judge's own limit
+  // For a leaderboard; nothing of a program that is not right.
+  std::function<std::optional<Effort>(Examination&)> effort{};
 
   /// The student's file is a header, a formula over T, included by main.cpp: see answer/model.h.
   bool is_model() const { return header.empty(); }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "lessons/assignments/judge/effort.h"
 #include "lessons/assignments/judge/program.h"
 #include "rasterizer/error.h"
 
@@ -16,17 +17,23 @@ const Part& part_of(const Assignment& assignment, const RubricTest& test) {
   return *found;
 }
 
-/// One run in a process of its own. Counts how often time was up.
+/// What has cost time already.
+struct Patience {
+  int late = 0;  // tests in which time was up
+  std::set<std::int64_t> endless{};
+};
+
+/// One run in a process of its own.
 Finding examine(const Part& part, const Rubric& rubric, const RubricTest& test,
                 sandbox::Sandbox& sandbox, std::vector<JudgedPicture>& pictures,
-                std::string& printed, int& late) {
+                std::string& printed, Patience& patience) {
   ProgramRespondent student(sandbox);
-  Examination examination{student, rubric.seed, test.questions, pictures};
+  Examination examination{student, rubric.seed, test.questions, pictures, patience.endless};
   Finding finding;
   try {
     finding = part.run(examination);
   } catch (const Unanswered& error) {
-    late += !error.answered_in_time;
+    patience.late += !error.answered_in_time;
     finding = Finding::wrong(error.what());
   }
   constexpr std::size_t most_printed = 2000;
@@ -37,13 +44,14 @@ Finding examine(const Part& part, const Rubric& rubric, const RubricTest& test,
 /// Twice, unless nothing is left to lose: what differs from run to run is not right.
 void run_test(const Assignment& assignment, const Rubric& rubric, const RubricTest& test,
               sandbox::Sandbox& sandbox, TestScore& score, std::vector<JudgedPicture>& pictures,
-              int& late) {
+              Patience& patience) {
   const auto start = std::chrono::steady_clock::now();
   const Part& part = part_of(assignment, test);
   std::vector<JudgedPicture> seen[2];
-  Finding lower = examine(part, rubric, test, sandbox, seen[0], score.printed, late);
-  Finding second =
-      lower.share > 0 ? examine(part, rubric, test, sandbox, seen[1], score.printed, late) : lower;
+  Finding lower = examine(part, rubric, test, sandbox, seen[0], score.printed, patience);
+  Finding second = lower.share > 0
+                       ? examine(part, rubric, test, sandbox, seen[1], score.printed, patience)
+                       : lower;
   const int worse = second.share < lower.share;
   if (worse) {
     lower = std::move(second);
@@ -71,19 +79,25 @@ Verdict judge(const Assignment& assignment, const std::filesystem::path& submiss
   verdict.built = built.good;
   verdict.build_log = built.log;
   sandbox.limits() = options.limits;
+  sandbox.limits().cpu_seconds = std::min(options.limits.cpu_seconds, assignment.cpu_seconds);
+  constexpr double idle = 10;  // times the processor time that a program may have, and no longer
+  sandbox.limits().wall_seconds =
+      std::min(options.limits.wall_seconds, idle * assignment.cpu_seconds);
   // Who waits for ever in one test does so in most: a class would take hours.
-  constexpr int patience = 3;
-  int late = 0;
+  constexpr int most_late = 3;
+  Patience patience;
   for (std::size_t i = 0; i < verdict.tests.size(); ++i) {
     TestScore& score = verdict.tests[i];
     if (!built.good)
       score.message = built.message;
-    else if (late < patience)
-      run_test(assignment, rubric, rubric.tests[i], sandbox, score, verdict.pictures, late);
+    else if (patience.late < most_late)
+      run_test(assignment, rubric, rubric.tests[i], sandbox, score, verdict.pictures, patience);
     else
       score.message = "not tried: your program ran out of time in three tests before";
     if (options.progress) options.progress(double(i + 1) / double(verdict.tests.size()));
   }
+  if (built.good && options.effort && assignment.effort)
+    verdict.effort = measured_effort(assignment, rubric, sandbox);
   return verdict;
 }
 

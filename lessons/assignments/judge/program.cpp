@@ -161,8 +161,11 @@ Numbers ProgramRespondent::receive(int& kind, const AnswerSize& size) {
 Numbers ProgramRespondent::ask(int kind, const Numbers& question, const AnswerSize& size,
                                const Counsel& counsel) {
   try {
-    if (!conversation_)
-      conversation_.emplace(sandbox_.start({(sandbox_.scratch() / program_name).string()}));
+    if (!conversation_) {
+      std::vector<std::string> argv = command_;
+      argv.push_back((sandbox_.scratch() / program_name).string());
+      conversation_.emplace(sandbox_.start(argv));
+    }
     ++sequence_;
     send(kind, question);
     // Who asks back for ever takes the judge's time, not its own.
@@ -176,17 +179,31 @@ Numbers ProgramRespondent::ask(int kind, const Numbers& question, const AnswerSi
       send(answered, counsel(answered - answer::counter_question, numbers));
     }
   } catch (const sandbox::Silent& error) {
-    printed_ = error.outcome.output;
+    keep(error.outcome.output);
     throw Unanswered(std::string("your program ") + error.what(), false);
   } catch (const sandbox::NoAnswer& error) {
-    printed_ = error.outcome.output;
+    keep(error.outcome.output);
     throw Unanswered(std::string("your program ") + error.what());
   }
 }
 
+void ProgramRespondent::keep(const std::string& output) {
+  constexpr std::size_t enough = 1 << 20;
+  if (printed_.size() < enough) printed_ += output;
+  conversation_.reset();
+}
+
+void ProgramRespondent::start_anew() {
+  if (conversation_) keep(conversation_->finish().output);
+}
+
 std::string ProgramRespondent::printed() {
-  if (conversation_ && printed_.empty()) printed_ = conversation_->finish().output;
+  start_anew();
   return printed_;
+}
+
+std::string ProgramRespondent::hang_up() {
+  return conversation_ ? conversation_->hang_up().output : printed_;
 }
 
 }  // namespace scanlit::assignments

@@ -28,22 +28,30 @@ Build build(const Assignment& assignment, std::uint64_t seed,
 /// verdict does not depend on the processor.
 const std::vector<std::string>& compiler_flags();
 
-/// The program that build() made, started when it is asked first.
+/// The program that build() made, started when it is asked first, as the argument of another one
+/// if `under` names one.
 class ProgramRespondent final : public Respondent {
  public:
-  explicit ProgramRespondent(sandbox::Sandbox& sandbox) : sandbox_(sandbox) {}
+  explicit ProgramRespondent(sandbox::Sandbox& sandbox, std::vector<std::string> under = {})
+      : sandbox_(sandbox), command_(std::move(under)) {}
 
   Numbers ask(int kind, const Numbers& question, const AnswerSize& size,
               const Counsel& counsel = {}) override;
+  void start_anew() override;
 
-  /// Ends the program; what it has printed: text of any kind.
+  /// Ends the program; what it has printed, since it was made: text of any kind.
   std::string printed();
+
+  /// Asks nothing more; what it has printed until it ended by itself.
+  std::string hang_up();
 
  private:
   void send(int kind, const Numbers& numbers);
+  void keep(const std::string& output);
   Numbers receive(int& kind, const AnswerSize& size);
 
   sandbox::Sandbox& sandbox_;
+  std::vector<std::string> command_;
   std::optional<sandbox::Conversation> conversation_;
   std::uint32_t sequence_ = 0;
   std::string printed_;

@@ -45,6 +45,9 @@ class Respondent {
   /// fewer of them than `size` allows, a question of its own where there is no counsel.
   virtual Numbers ask(int kind, const Numbers& question, const AnswerSize& size,
                       const Counsel& counsel = {}) = 0;
+
+  /// Whoever is asked next has been asked nothing before.
+  virtual void start_anew() = 0;
 };
 
 }  // namespace scanlit::assignments
