@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "lessons/assignments/A6_cook_torrance/mistakes.h"
+#include "lessons/assignments/A6_cook_torrance/questions.h"
 #include "lessons/assignments/A6_cook_torrance/reference.h"
 #include "lessons/assignments/judge/model_invariants.h"
 #include "lessons/assignments/judge/model_picture.h"
@@ -13,18 +14,9 @@
 namespace scanlit::assignments {
 namespace {
 
+using namespace a6;
 using namespace cook_torrance;
 using std::numbers::pi;
-
-enum Kind {
-  ask_m = 1,
-  ask_D,
-  ask_G,
-  ask_F,
-  ask_product,
-  ask_model,
-  ask_picture
-};  // as in main.cpp
 
 Values of(const Rgb<double>& c) { return {c.r, c.g, c.b}; }
 
@@ -147,7 +139,12 @@ Reflection<double> in_braces(const Variant& variant, const Directions& d,
   return {.diffuse = {}, .glossy = variant.braces ? value : value * (pi * d.l.z)};
 }
 
-const ModelPicture teapot{.name = "A6.7-teapot", .title = "The teapot of copper"};
+/// Highlights just do not reach 1, where they would lose their colour.
+ModelPicture teapot(const Variant& variant) {
+  const Directions mirrored{direction(30, 0), direction(30, 180)};
+  const double peak = in_braces(variant, mirrored, variant.whole(mirrored)).glossy.r;
+  return {.name = "A6.7-teapot", .title = "The teapot of copper", .brightness = 1 / peak};
+}
 
 std::shared_ptr<const ReflectionModel> right_model(const Variant& variant) {
   return std::make_shared<ReferenceModel>(
@@ -157,7 +154,7 @@ std::shared_ptr<const ReflectionModel> right_model(const Variant& variant) {
 Finding test_picture(Examination& e) {
   const Variant variant(e.variant);
   return compare_pictures(
-      e, teapot, right_model(variant),
+      e, teapot(variant), right_model(variant),
       std::make_shared<AskedModel>(e.student, ask_picture,
                                    [variant](const Directions& d, const Reflection<double>& r) {
                                      return in_braces(variant, d, r.glossy);
@@ -168,8 +165,8 @@ std::map<std::string, JudgedPicture> illustrations(std::uint64_t seed) {
   const Variant variant(seed);
   const auto starter = std::make_shared<ReferenceModel>(
       [variant](const Directions& d) { return in_braces(variant, d, Rgb<double>(d.v.z)); });
-  return {{"before.png", drawn(teapot, starter)},
-          {"after.png", drawn(teapot, right_model(variant))}};
+  return {{"before.png", drawn(teapot(variant), starter)},
+          {"after.png", drawn(teapot(variant), right_model(variant))}};
 }
 
 }  // namespace

@@ -1,12 +1,12 @@
 // Asks your functions what the judge wants to know. Yours is cook_torrance.h alone.
 #include "cook_torrance.h"
+#include "questions.h"
 
 namespace {
 
+using namespace a6;
 using namespace scanlit;
 using namespace scanlit::answer;
-
-enum Kind { ask_m = 1, ask_D, ask_G, ask_F, ask_product, ask_model, ask_picture };
 
 const CookTorrance model;
 

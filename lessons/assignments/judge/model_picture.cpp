@@ -29,11 +29,14 @@ Framebuffer draw(const ModelPicture& picture, std::shared_ptr<const ReflectionMo
                           .object_colour = picture.object_colour,
                           .tangents = picture.tangents};
   const auto mesh = std::make_shared<const Mesh>(make_shape(picture.shape));
-  const Scene scene{
-      .objects = {{.mesh = mesh, .material = material, .name = picture.shape}},
-      .lights = {{.intensity = 1.2, .colour = picture.light_colour, .direction = {-.6, .9, .9}},
-                 {.intensity = .6, .colour = picture.light_colour, .direction = {1, .2, .1}}},
-      .background = Rgb<double>(.01)};
+  const Scene scene{.objects = {{.mesh = mesh, .material = material, .name = picture.shape}},
+                    .lights = {{.intensity = 1.2 * picture.brightness,
+                                .colour = picture.light_colour,
+                                .direction = {-.6, .9, .9}},
+                               {.intensity = .6 * picture.brightness,
+                                .colour = picture.light_colour,
+                                .direction = {1, .2, .1}}},
+                    .background = Rgb<double>(.01)};
   Camera camera = framed({.eye = {0.6, 1.8, 4}, .target = {0, -.1, 0}, .fov_deg = 30},
                          bounding_sphere(scene), double(width) / height);
   camera.fov_deg *= .75;  // the teapot is wider than high

@@ -63,6 +63,7 @@ struct ModelPicture {
   ColourForm form = ColourForm::tinted;
   Rgb<double> object_colour{1}, light_colour{1};
   Tangents tangents{};
+  double brightness = 1;  // of both lights
 };
 
 /// For a page: JudgedPicture::fresh alone.
