@@ -1,6 +1,6 @@
 // Asks your functions what the judge wants to know. Yours is scan_conversion.cpp alone.
 #include "answer/serve.h"
-#include "scan_conversion.h"
+#include "questions.h"
 
 namespace {
 
@@ -8,16 +8,6 @@ using namespace a1;
 using scanlit::answer::ask_judge;
 using scanlit::answer::Received;
 using scanlit::answer::Sent;
-
-enum Kind { ask_edge = 1, ask_owns, ask_covers, ask_span, ask_scan_convert };
-
-void put(const Edge& e, Sent& to) {
-  to.integers.insert(to.integers.end(), {e.a, e.b, e.c, e.owned});
-}
-void put(const Edge (&edges)[3], Sent& to) {
-  for (const Edge& e : edges) put(e, to);
-}
-void put(Point p, Sent& to) { to.integers.insert(to.integers.end(), {p.x, p.y}); }
 
 // Braces are evaluated from left to right.
 Point point(Received& from) { return {from.integer(), from.integer()}; }

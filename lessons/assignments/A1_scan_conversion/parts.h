@@ -4,13 +4,12 @@
 #include <string>
 #include <vector>
 
+#include "lessons/assignments/A1_scan_conversion/questions.h"
 #include "lessons/assignments/A1_scan_conversion/reference.h"
 #include "lessons/assignments/judge/assignment.h"
 #include "lessons/assignments/judge/dice.h"
 
 namespace scanlit::assignments::scan {
-
-enum ScanQuestion { ask_edge = 1, ask_owns, ask_covers, ask_span, ask_scan_convert };  // main.cpp's
 
 // parts_of_a_triangle.cpp
 Finding test_edge(Examination& e);    // A1.1
@@ -37,10 +36,6 @@ Framebuffer box_teapot();  // by each triangle's box: what the starter draws
 std::string words(a1::Point p);                   // "(256, 0)"
 std::string words(const a1::Triangle& t);         // "(256, 0) (512, 128) (0, 0)"
 std::string rule_of(const ScanVariant& variant);  // "bottom-right"
-
-void put(const a1::Edge& e, std::vector<std::int64_t>& to);
-void put(const a1::Edge (&edges)[3], std::vector<std::int64_t>& to);
-void put(const a1::Triangle& t, std::vector<std::int64_t>& to);
 
 /// Corners on a raster of half pixels: many centres lie exactly on edges, and at corners.
 a1::Triangle coarse_triangle(Dice& dice, int low, int high);

@@ -10,20 +10,32 @@ using namespace a1;
 
 namespace {
 
+/// Whether numbers are such that no product of theirs overflows: points, or edges and then a row
+/// and the width.
+bool is_small(int kind, const std::vector<std::int64_t>& numbers) {
+  constexpr std::int64_t point = 1 << 25, slope = 1 << 26, constant = 1LL << 52, pixel = 1 << 16;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const std::int64_t most = kind == ask_edge ? point
+                              : i >= 12        ? pixel
+                              : i % 4 == 2     ? constant
+                                               : slope;
+    if (numbers[i] < -most || numbers[i] > most) return false;
+  }
+  return true;
+}
+
 /// What the student's scan_convert() asks back, while it is judged alone.
 Numbers right_answer(const ScanVariant& variant, int kind, const Numbers& question) {
   const auto& n = question.integers;
   constexpr std::size_t counts[] = {0, 6, 4, 14, 14};
-  if (kind < ask_edge || kind > ask_span || n.size() != counts[kind])
+  if (kind < ask_edge || kind > ask_span || n.size() != counts[kind] || !is_small(kind, n))
     throw Unanswered("your program asked back for what there is not");
   Numbers answer;
   Edge edges[3];
   for (std::size_t i = 0; i < 3 && kind >= ask_covers; ++i)
     edges[i] = {n[4 * i], n[4 * i + 1], n[4 * i + 2], n[4 * i + 3] != 0};
   switch (kind) {
-    case ask_edge:
-      put(right_edge({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}), answer.integers);
-      break;
+    case ask_edge: put(right_edge({n[0], n[1]}, {n[2], n[3]}, {n[4], n[5]}), answer); break;
     case ask_owns: answer.integers = {right_owns(variant, {n[0], n[1], n[2]})}; break;
     case ask_covers:
       answer.integers = {right_covers(variant, edges, int(n[12]), int(n[13]))};
@@ -41,7 +53,7 @@ Numbers right_answer(const ScanVariant& variant, int kind, const Numbers& questi
 std::vector<Fragment> ask_fragments(Respondent& student, const ScanVariant& variant,
                                     const Triangle& t, const Picture& picture, bool alone) {
   Numbers question{.integers = {alone, picture.width, picture.height}, .reals = {}};
-  put(t, question.integers);
+  put(t, question);
   const auto most = std::size_t(4) * std::size_t(picture.width * picture.height);
   const auto counsel = [&](int kind, const Numbers& asked) {
     return right_answer(variant, kind, asked);

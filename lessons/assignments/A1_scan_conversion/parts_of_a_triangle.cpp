@@ -14,16 +14,6 @@ std::string words(const Triangle& t) {
   return words(t.corners[0]) + " " + words(t.corners[1]) + " " + words(t.corners[2]);
 }
 
-void put(const Edge& e, std::vector<std::int64_t>& to) {
-  to.insert(to.end(), {e.a, e.b, e.c, e.owned});
-}
-void put(const Edge (&edges)[3], std::vector<std::int64_t>& to) {
-  for (const Edge& e : edges) put(e, to);
-}
-void put(const Triangle& t, std::vector<std::int64_t>& to) {
-  for (const Point& p : t.corners) to.insert(to.end(), {p.x, p.y});
-}
-
 Triangle coarse_triangle(Dice& dice, int low, int high) {
   Triangle t;
   for (Point& p : t.corners) p = {128 * dice.between(low, high), 128 * dice.between(low, high)};
@@ -78,7 +68,7 @@ Finding test_edge(Examination& e) {
       right = right_edge(t.corners[0], t.corners[1], t.corners[2]);
     } while (right.a * t.corners[2].x + right.b * t.corners[2].y + right.c == 0);
     Numbers question;
-    put(t, question.integers);
+    put(t, question);
     const auto got = e.student.ask(ask_edge, question, AnswerSize::integers(4)).integers;
     if (got[0] == right.a && got[1] == right.b && got[2] == right.c) continue;
     const auto coefficients = [](std::int64_t a, std::int64_t b, std::int64_t c) {
@@ -110,7 +100,7 @@ Finding test_owns(Examination& e) {
     if (i < 8) edge = {256 * winds[i][0], 256 * winds[i][1], edge.c};
     if (edge.a == 0 && edge.b == 0) continue;
     Numbers question;
-    put(edge, question.integers);
+    put(edge, question);
     const bool got = e.student.ask(ask_owns, question, AnswerSize::integers(1)).integers[0] != 0;
     if (got == right_owns(variant, edge)) continue;
     return Finding::wrong(
@@ -133,7 +123,7 @@ Finding test_covers(Examination& e) {
     for (int row = 0; row < size; ++row)
       for (int column = 0; column < size; ++column) {
         Numbers question;
-        put(edges, question.integers);
+        put(edges, question);
         question.integers.insert(question.integers.end(), {column, row});
         const auto got = e.student.ask(ask_covers, question, AnswerSize::integers(1)).integers[0];
         grid.covered[grid.at(column, engine_row(variant, row, size))] = got != 0;
@@ -160,7 +150,7 @@ Finding test_span(Examination& e) {
     CoverageGrid grid(width, height);
     for (int row = 0; row < height; ++row) {
       Numbers question;
-      put(edges, question.integers);
+      put(edges, question);
       question.integers.insert(question.integers.end(), {row, width});
       const auto answer = e.student.ask(ask_span, question, AnswerSize::integers(2)).integers;
       const Span right = right_span(variant, edges, row, width);

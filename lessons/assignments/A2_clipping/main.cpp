@@ -1,6 +1,6 @@
 // Asks your functions what the judge wants to know. Yours is clipping.cpp alone.
 #include "answer/serve.h"
-#include "clipping.h"
+#include "questions.h"
 
 namespace {
 
@@ -8,25 +8,6 @@ using namespace a2;
 using scanlit::answer::ask_judge;
 using scanlit::answer::Received;
 using scanlit::answer::Sent;
-
-enum Kind {
-  ask_distance = 1,
-  ask_cut,
-  ask_clip,
-  ask_triangle,
-  ask_perspective,
-  ask_whole_triangle,
-  ask_perspective_span
-};
-
-void put(const Vertex& v, Sent& to) {
-  to.reals.insert(to.reals.end(), {v.x, v.y, v.z, v.w});
-  to.reals.insert(to.reals.end(), v.attribute, v.attribute + 3);
-}
-void put(const Polygon& polygon, Sent& to) {
-  for (const Vertex& v : polygon) put(v, to);
-}
-void put(const Weights& w, Sent& to) { to.reals.insert(to.reals.end(), w.corner, w.corner + 3); }
 
 // Braces are evaluated from left to right.
 Vertex vertex(Received& from) {

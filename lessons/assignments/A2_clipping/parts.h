@@ -3,21 +3,14 @@
 
 #include <string>
 
+#include "lessons/assignments/A2_clipping/questions.h"
 #include "lessons/assignments/A2_clipping/reference.h"
 #include "lessons/assignments/judge/assignment.h"
 #include "rasterizer/framebuffer.h"
 
 namespace scanlit::assignments::clipping {
 
-enum ClipQuestion {  // main.cpp's
-  ask_distance = 1,
-  ask_cut,
-  ask_clip,
-  ask_triangle,
-  ask_perspective,
-  ask_whole_triangle,
-  ask_perspective_span
-};
+using namespace a2;
 
 // parts_of_clipping.cpp
 Finding test_distance(Examination& e);     // A2.1
@@ -32,9 +25,6 @@ Framebuffer right_floor(const ClipVariant& variant);
 Framebuffer starter_floor();  // whole triangles where no corner is behind the eye, and affine
 
 // parts_asking.cpp
-void put(const Vertex& v, Numbers& to);
-void put(const Polygon& p, Numbers& to);
-void put(const Weights& w, Numbers& to);
 Vertex vertex_of(const Numbers& answer, std::size_t number = 0);
 Polygon polygon_of(const Numbers& answer);
 std::string words(const Vertex& v);   // "(x 1, y 0, z .5, w 1; 0, .5, 0)"
@@ -46,7 +36,7 @@ bool equal(const Vertex& a, const Vertex& b);
 /// The same border, wherever it begins, and however often a vertex is repeated.
 bool equal(Polygon a, Polygon b);
 
-/// What the function asks back is answered as the variant has it.
+/// What the function asks back of earlier parts is answered as the variant has it.
 Numbers ask(Examination& e, int kind, const Numbers& question, const AnswerSize& size);
 
 }  // namespace scanlit::assignments::clipping

@@ -7,15 +7,6 @@
 
 namespace scanlit::assignments::clipping {
 
-void put(const Vertex& v, Numbers& to) {
-  to.reals.insert(to.reals.end(), {v.x, v.y, v.z, v.w});
-  to.reals.insert(to.reals.end(), v.attribute, v.attribute + 3);
-}
-void put(const Polygon& p, Numbers& to) {
-  for (const Vertex& v : p) put(v, to);
-}
-void put(const Weights& w, Numbers& to) { to.reals.insert(to.reals.end(), w.corner, w.corner + 3); }
-
 Vertex vertex_of(const Numbers& answer, std::size_t number) {
   const double* const r = &answer.reals[7 * number];
   return {r[0], r[1], r[2], r[3], {r[4], r[5], r[6]}};
@@ -97,6 +88,7 @@ Numbers right_answer(const ClipVariant& variant, int kind, const Numbers& questi
 
 Numbers ask(Examination& e, int kind, const Numbers& question, const AnswerSize& size) {
   return e.student.ask(kind, question, size, [&](int asked, const Numbers& numbers) {
+    if (asked >= kind) throw Unanswered("your program asks back what it is asked itself");
     return right_answer(clip_variant(e.variant), asked, numbers);
   });
 }

@@ -1,5 +1,6 @@
 // Asks your functions what the judge wants to know. Yours is visibility.cpp alone.
 #include "answer/serve.h"
+#include "questions.h"
 #include "visibility.h"
 
 namespace {
@@ -8,17 +9,6 @@ using namespace a3;
 using scanlit::answer::ask_judge;
 using scanlit::answer::Received;
 using scanlit::answer::Sent;
-
-enum Kind {
-  ask_depth_of = 1,
-  ask_depth_at,
-  ask_stored,
-  ask_farthest,
-  ask_replaces,
-  ask_draw,
-  ask_depth_span,
-  ask_test_span
-};
 
 // ------------------------------------------------------------------------- the judge's own stages
 

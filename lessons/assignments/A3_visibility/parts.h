@@ -1,22 +1,14 @@
 // A3's parts.
 #pragma once
 
+#include "lessons/assignments/A3_visibility/questions.h"
 #include "lessons/assignments/A3_visibility/reference.h"
 #include "lessons/assignments/judge/assignment.h"
 #include "rasterizer/framebuffer.h"
 
 namespace scanlit::assignments::visibility {
 
-enum DepthQuestion {  // main.cpp's
-  ask_depth_of = 1,
-  ask_depth_at,
-  ask_stored,
-  ask_farthest,
-  ask_replaces,
-  ask_draw,
-  ask_depth_span,
-  ask_test_span
-};
+using namespace a3;
 
 // parts_of_depth.cpp
 Finding test_depth_of(Examination& e);  // A3.1

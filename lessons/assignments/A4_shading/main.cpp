@@ -1,6 +1,6 @@
 // Asks your functions what the judge wants to know. Yours is shading.cpp alone.
 #include "answer/serve.h"
-#include "shading.h"
+#include "questions.h"
 
 namespace {
 
@@ -8,21 +8,6 @@ using namespace a4;
 using scanlit::answer::ask_judge;
 using scanlit::answer::Received;
 using scanlit::answer::Sent;
-
-enum Kind {
-  ask_light = 1,
-  ask_vertex,
-  ask_interpolate,
-  ask_normal,
-  ask_fragment,
-  ask_gouraud_span,
-  ask_phong_span
-};
-
-void put(Vector v, Sent& to) { to.reals.insert(to.reals.end(), {v.x, v.y, v.z}); }
-void put(const Weights& w, Sent& to) {
-  to.reals.insert(to.reals.end(), {w.corner[0], w.corner[1], w.corner[2]});
-}
 
 // Braces are evaluated from left to right.
 Vector vector(Received& from) { return {from.real(), from.real(), from.real()}; }
@@ -36,16 +21,9 @@ Scene scene(Received& from) {
   return s;
 }
 
-void put(const Scene& s, Sent& to) {
-  put(s.eye, to), put(s.ambient, to), put(s.kd, to);
-  to.reals.insert(to.reals.end(), {s.ks, s.n});
-  to.integers.push_back(std::int64_t(s.lights.size()));
-  for (const Light& each : s.lights) put(each.to_light, to), put(each.colour, to);
-}
-
 // ------------------------------------------------------------------------- the judge's own stages
 
-Vector asked(Kind kind, const Sent& question) {
+Vector asked(Question kind, const Sent& question) {
   Received answer = ask_judge(kind, question);
   return vector(answer);
 }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "lessons/assignments/A4_shading/questions.h"
 #include "lessons/assignments/A4_shading/reference.h"
 #include "lessons/assignments/judge/assignment.h"
 #include "lessons/assignments/judge/dice.h"
@@ -11,15 +12,7 @@
 
 namespace scanlit::assignments::shading {
 
-enum ShadingQuestion {  // main.cpp's
-  ask_light = 1,
-  ask_vertex,
-  ask_interpolate,
-  ask_normal,
-  ask_fragment,
-  ask_gouraud_span,
-  ask_phong_span
-};
+using namespace a4;
 
 Finding test_light(Examination& e);  // A4.1, parts_of_a_point.cpp
 
@@ -43,14 +36,10 @@ Scene any_scene(Dice& dice, double brightness = 0.6);
 Vertex any_vertex(Dice& dice);  // near the origin, its normal of any length
 Weights any_weights(Dice& dice);
 
-void put(Vector v, Numbers& to);
-void put(const Vertex& v, Numbers& to);
-void put(const Scene& s, Numbers& to);
-void put(const Weights& w, Numbers& to);
 std::string words(Vector v);  // "(0.25, 0, -1)"
 std::string describe(const Scene& scene);
 
-/// Three numbers; what the function asks back is answered as the variant has it.
+/// Three numbers; what the function asks back of earlier parts is answered as the variant has it.
 Vector ask(Examination& e, int kind, const Numbers& question);
 
 /// A mistake that many make, and what it gives.

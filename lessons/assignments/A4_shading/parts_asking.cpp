@@ -7,21 +7,10 @@
 
 namespace scanlit::assignments::shading {
 
-void put(Vector v, Numbers& to) { to.reals.insert(to.reals.end(), {v.x, v.y, v.z}); }
-void put(const Vertex& v, Numbers& to) { put(v.position, to), put(v.normal, to); }
-void put(const Scene& s, Numbers& to) {
-  put(s.eye, to), put(s.ambient, to), put(s.kd, to);
-  to.reals.insert(to.reals.end(), {s.ks, s.n});
-  to.integers.push_back(std::int64_t(s.lights.size()));
-  for (const Light& light : s.lights) put(light.to_light, to), put(light.colour, to);
-}
-
 std::string words(Vector v) {
   return "(" + studio::fixed(v.x, 4) + ", " + studio::fixed(v.y, 4) + ", " + studio::fixed(v.z, 4) +
          ")";
 }
-
-void put(const Weights& w, Numbers& to) { to.reals.insert(to.reals.end(), w.corner, w.corner + 3); }
 
 namespace {
 
@@ -62,6 +51,7 @@ Numbers right_answer(const ShadingVariant& variant, int kind, const Numbers& que
 
 Vector ask(Examination& e, int kind, const Numbers& question) {
   const auto counsel = [&](int asked, const Numbers& numbers) {
+    if (asked >= kind) throw Unanswered("your program asks back what it is asked itself");
     return right_answer(shading_variant(e.variant), asked, numbers);
   };
   return vector_of(e.student.ask(kind, question, AnswerSize::reals(3), counsel));

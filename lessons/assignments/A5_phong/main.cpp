@@ -1,24 +1,12 @@
 // Asks your functions what the judge wants to know. Yours is phong.h alone.
 #include "phong.h"
+#include "questions.h"
 
 namespace {
 
+using namespace a5;
 using namespace scanlit;
 using namespace scanlit::answer;
-
-enum Kind {
-  ask_phong_exponent = 1,
-  ask_blinn_exponent,
-  ask_half_vector,
-  ask_mirrored,
-  ask_diffuse,
-  ask_phong,
-  ask_blinn,
-  ask_tinted,
-  ask_plastic,
-  ask_tinted_picture,
-  ask_plastic_picture
-};
 
 template <class T = double>
 Vec3<T> vector(Received& question) {

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lessons/assignments/A7_third_model/questions.h"
 #include "lessons/assignments/A7_third_model/reference.h"
 #include "lessons/assignments/judge/model_invariants.h"
 #include "lessons/assignments/judge/model_picture.h"
@@ -11,9 +12,8 @@
 namespace scanlit::assignments {
 namespace {
 
+using namespace a7;
 using namespace third_model;
-
-enum Kind { ask_choice = 1, ask_first, ask_second, ask_returned, ask_model, ask_picture };
 
 constexpr const char* names[] = {"", "Ward's", "Lafortune's", "Oren's and Nayar's"};
 

@@ -43,7 +43,8 @@ std::vector<Made> support_files(const Assignment& assignment, std::uint64_t seed
   const fs::path folder = data_folder() / assignment.folder;
   std::vector<Made> all{{"variant.h", fill_in(studio::read_text(folder / "variant.h"),
                                               assignment.words(seed), "variant.h")}};
-  for (const std::string& name : {assignment.header, std::string("main.cpp")})
+  for (const std::string& name :
+       {assignment.header, std::string("questions.h"), std::string("main.cpp")})
     if (!name.empty()) all.push_back({name, studio::read_text(folder / name)});
   for (const char* name : {"answer/protocol.h", "answer/serve.h"})
     all.push_back({name, studio::read_text(data_folder() / name)});
@@ -83,7 +84,7 @@ void copy(const Assignment& assignment, const std::string& name, const fs::path&
 
 void write_course(const fs::path& folder) {
   for (const Assignment& each : assignments()) {
-    for (const char* name : {"page.md", "variant.h", "main.cpp", "rubric.toml"})
+    for (const char* name : {"page.md", "variant.h", "questions.h", "main.cpp", "rubric.toml"})
       copy(each, name, folder);
     if (!each.header.empty()) copy(each, each.header, folder);
     write(folder / each.folder / ("starter" + fs::path(each.file).extension().string()),
