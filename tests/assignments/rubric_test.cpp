@@ -37,13 +37,14 @@ class RubricFile : public testing::Test {
 
 TEST_F(RubricFile, IsRead) {
   const Rubric rubric = read_rubric(write(
-      "assignment = \"A1\"\nseed = 7\n[[test]]\nid = \"A1.2\"\npoints = 5\n"
+      "assignment = \"A1\"\nseed = 7\nquestions = 4\n[[test]]\nid = \"A1.2\"\npoints = 5\n"
       "[[test]]\nid = \"more\"\npart = \"A1.2\"\nname = \"More\"\npoints = 2.5\nquestions = 9"));
   EXPECT_EQ(rubric.seed, 7u);
   ASSERT_EQ(rubric.tests.size(), 2u);
   EXPECT_EQ(rubric.tests[0].name, "Fill rule");
   EXPECT_EQ(rubric.tests[1].part, "A1.2");
   EXPECT_EQ(rubric.tests[1].points, 2.5);
+  EXPECT_EQ(rubric.tests[0].questions, 4u);
   EXPECT_EQ(rubric.tests[1].questions, 9u);
 }
 

@@ -20,12 +20,13 @@ toml::table parse(const std::filesystem::path& file) {
   }
 }
 
-std::uint64_t seed_of(studio::TomlTable& table, const char* key) {
+std::uint64_t seed_of(studio::TomlTable& table, const char* key, std::uint64_t otherwise = 1) {
   constexpr studio::Range seeds{0, 999999};
-  return std::uint64_t(table.integer(key, seeds).value_or(1));
+  return std::uint64_t(table.integer(key, seeds).value_or(int(otherwise)));
 }
 
-RubricTest read_test(studio::TomlTable& table, const Assignment& assignment) {
+RubricTest read_test(studio::TomlTable& table, const Assignment& assignment,
+                     std::uint64_t questions) {
   RubricTest test;
   const auto id = table.text("id");
   if (!id) throw Error(table.where(), "a test wants an id, such as \"" + assignment.id + ".1\"");
@@ -42,7 +43,7 @@ RubricTest read_test(studio::TomlTable& table, const Assignment& assignment) {
   const auto points = table.number("points", {0, 1000});
   if (!points) throw Error(table.where(), "a test wants points");
   test.points = *points;
-  test.questions = seed_of(table, "questions");
+  test.questions = seed_of(table, "questions", questions);
   table.refuse_unknown_keys();
   return test;
 }
@@ -82,8 +83,9 @@ Rubric read_rubric(const std::filesystem::path& file) {
   rubric.assignment = *id;
   const Assignment& of = assignment(*id);
   rubric.seed = seed_of(table, "seed");
+  const std::uint64_t questions = seed_of(table, "questions");
   for (studio::TomlTable& each : table.tables("test")) {
-    RubricTest test = read_test(each, of);
+    RubricTest test = read_test(each, of, questions);
     if (has_id(rubric, test.id))
       throw Error(each.where("id"), "there is a test '" + test.id + "' already");
     rubric.tests.push_back(std::move(test));

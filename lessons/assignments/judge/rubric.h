@@ -2,12 +2,13 @@
 //
 //   assignment = "A1"
 //   seed = 7                   # draws the variant
+//   questions = 2              # seed of what all tests ask that name no other (1)
 //   [[test]]
 //   id = "A1.2"                # of this test; unique
 //   part = "A1.2"              # of the assignment: what is tested (the id)
 //   name = "Fill rule"         # (the part's)
 //   points = 15
-//   questions = 3              # seed of what the student's code is asked (1)
+//   questions = 3              # seed of what the student's code is asked here
 //   [[manual]]                 # what a person gives points for: see grade/marks.h
 //   id = "A1.style"
 //   name = "Readable code"
