@@ -159,7 +159,6 @@ TEST(Leaderboard, IsOfRightProgramsAndApartFromVerdicts) {
   job.results = folder.file("results");
   const auto wrong = wrong_solutions(a8);
   for (const auto& [name, text] : {std::pair{"more", wrong[2].text},  // nothing is left out
-                                   {"=starter", starter_text(a8)},
                                    {"less", solution_text(a8)}}) {
     job.submissions.push_back(fs::path(folder.file("submissions")) / name);
     write(job.submissions.back() / a8.file, text);

@@ -87,9 +87,7 @@ class Trial {
   }
 
   /// What there is to say of tests that were ended by something else than check().
-  std::string broken() const {
-    return broken_.empty() ? "" : broken_ + "Only check() may end a test.\n";
-  }
+  const std::string& broken() const { return broken_; }
 
  private:
   static std::string said(std::int64_t test, const std::string& what) {
@@ -128,9 +126,9 @@ Finding test_right(Examination& e) {
     return false;
   });
   if (const std::string broken = trial.broken(); !broken.empty() || !refused.empty())
-    return Finding::wrong(refused + broken +
-                          (refused.empty() ? "" : "What does it take for granted?\n") +
-                          "Such a test is never counted.");
+    return Finding::wrong(broken + refused +
+                          (refused.empty() ? "It never counts: only check() may end a test."
+                                           : "It never counts: what does it take for granted?"));
   if (!some)
     return Finding::wrong(
         "None of your tests fails on a stage that draws nothing at all. What must a triangle "
@@ -149,11 +147,12 @@ Finding test_fault(Examination& e, int fault) {
     return counts;
   });
   if (found) return {};
-  return Finding::wrong(trial.broken() + "The fault survives. It has to do with " + hint(fault) +
-                        "." +
-                        (by_invalid ? " A test that fails on it fails on right stages, too, and "
-                                      "does not count."
-                                    : ""));
+  return Finding::wrong(
+      (trial.broken().empty() ? "" : trial.broken() + "Only check() may end a test.\n") +
+      "The fault survives. It has to do with " + hint(fault) + "." +
+      (by_invalid ? " A test that fails on it fails on right stages, too, and "
+                    "does not count."
+                  : ""));
 }
 
 }  // namespace
