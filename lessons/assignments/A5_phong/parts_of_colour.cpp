@@ -59,7 +59,7 @@ Finding test_form(Examination& e, bool is_tinted) {
         return "ka = " + k(l.surface.ka) + ", kd = " + k(l.surface.kd) +
                ", ks = " + k(l.surface.ks) +
                (is_tinted ? "" : ", object_colour = " + describe(of(l.surface.object_colour))) +
-               worded(", Ia = %.4g, Ii = %.4g, light's colour = ", l.lamp.ambient,
+               worded("\n  Ia = %.4g, Ii = %.4g, light's colour = ", l.lamp.ambient,
                       l.lamp.intensity) +
                describe(of(l.lamp.colour)) +
                worded(", diffuse = %.4g, glossy = %.4g", l.diffuse, l.glossy);

@@ -59,8 +59,8 @@ Values ask_points(Respondent& student, int kind, int width, const Variant& varia
 namespace {
 
 std::string describe_point(const Point& p) {
-  return "normal = " + describe(of(p.normal)) + ", light = " + describe(of(p.light)) +
-         ", viewer = " + describe(of(p.viewer));
+  return "normal = " + describe(of(p.normal)) + "\n  light = " + describe(of(p.light)) +
+         "\n  viewer = " + describe(of(p.viewer));
 }
 
 }  // namespace
@@ -116,7 +116,7 @@ Finding test_vector(Examination& e, bool half) {
             .describe = [&](std::size_t i) {
               return (half ? "v = " + describe(of(points[i].viewer))
                            : "n = " + describe(of(points[i].normal))) +
-                     ", l = " + describe(of(points[i].light));
+                     "\n  l = " + describe(of(points[i].light));
             }};
   std::vector<WrongRows> wrong(2);
   for (const Point& p : points) {

@@ -13,8 +13,27 @@ namespace {
 
 using namespace less_work;
 
+/// Rows one below the other, as strips.
+Framebuffer strips(const std::vector<a8::Colour>& pixels, int scale, int height) {
+  constexpr int columns = 64;
+  Framebuffer picture(columns * scale, rows * height);
+  for (int y = 0; y < picture.height; ++y)
+    for (int x = 0; x < picture.width; ++x) {
+      const a8::Colour& c = pixels[std::size_t(y / height * columns + x / scale)];
+      const double all[] = {c.r, c.g, c.b, 1};
+      for (std::size_t k = 0; k < 4; ++k)
+        picture.colour[4 * std::size_t(y * picture.width + x) + k] =
+            float(std::clamp(all[k], 0., 1.));
+    }
+  return picture;
+}
+
+constexpr const char* only_right = "Work counts only where the picture is right: see A8.1.";
+
 Finding test_right(Examination& e) {
   const Shaded shaded = shade_rows(e);
+  e.pictures.push_back(judged("A8.1-rows", "The rows, as strips", strips(shaded.pixels, 1, 3),
+                              strips(shaded.right, 1, 3)));
   if (shaded.is_right()) return {};
   return Finding::wrong(
       worded("The worst pixel is off by %.3g times the tolerance. ", shaded.error) + shaded.worst);
@@ -23,8 +42,7 @@ Finding test_right(Examination& e) {
 /// All points at `full` evaluations, none at `none`.
 Finding test_work(Examination& e, int Work::*none, int Work::*full, const char* hint) {
   const Shaded shaded = shade_rows(e);
-  if (!shaded.is_right())
-    return Finding::wrong("Work counts only where the picture is right. " + shaded.worst);
+  if (!shaded.is_right()) return Finding::wrong(only_right);
   const double most = shaded.work.*none, least = shaded.work.*full;
   const double share = std::clamp((most - shaded.evaluations) / (most - least), 0., 1.);
   if (share == 1) return {};
@@ -35,8 +53,7 @@ Finding test_work(Examination& e, int Work::*none, int Work::*full, const char* 
 
 Finding test_visible(Examination& e) {
   const Shaded shaded = shade_rows(e);
-  if (!shaded.is_right())
-    return Finding::wrong("Work counts only where the picture is right. " + shaded.worst);
+  if (!shaded.is_right()) return Finding::wrong(only_right);
   if (shaded.evaluations <= shaded.work.visible) return {};
   return Finding::wrong(
       worded("%d evaluations, where %d will do.\nFragments are evaluated that "
@@ -78,27 +95,19 @@ Words words_of(std::uint64_t seed) {
           {"winner", variant.first_wins ? "first" : "last"}};
 }
 
-void draw(Framebuffer& picture, int y, int scale, const std::vector<a8::Colour>& pixels) {
-  for (int x = 0; x < picture.width; ++x) {
-    const a8::Colour& c = pixels[std::size_t(x / scale)];
-    const double all[] = {c.r, c.g, c.b, 1};
-    for (std::size_t k = 0; k < 4; ++k)
-      picture.colour[4 * std::size_t(y * picture.width + x) + k] = float(all[k]);
-  }
-}
-
-/// The rows one below the other, as strips.
 std::map<std::string, JudgedPicture> illustrations(std::uint64_t seed) {
   const Variant variant(seed);
-  constexpr int scale = 5, strip = 16;
-  Framebuffer before(64 * scale, rows * strip), after(64 * scale, rows * strip);
-  for (int y = 0; y < before.height; ++y) {
-    const JudgedRow row = drawn_row(variant, 100 + std::uint64_t(y / strip));
-    draw(before, y, scale, painted_pixels(variant, row));
-    draw(after, y, scale, right_pixels(variant, row));
+  std::vector<a8::Colour> before, after;
+  for (int i = 0; i < rows; ++i) {
+    const JudgedRow row = drawn_row(variant, 100 + std::uint64_t(i));
+    for (const a8::Colour& c : painted_pixels(variant, row)) before.push_back(c);
+    for (const a8::Colour& c : right_pixels(variant, row)) after.push_back(c);
   }
-  return {{"before.png", judged("before", "", before, before)},
-          {"after.png", judged("after", "", after, after)}};
+  const auto shown = [](const std::vector<a8::Colour>& pixels) {
+    const Framebuffer picture = strips(pixels, 5, 16);
+    return judged("", "", picture, picture);
+  };
+  return {{"before.png", shown(before)}, {"after.png", shown(after)}};
 }
 
 }  // namespace

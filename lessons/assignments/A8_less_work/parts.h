@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lessons/assignments/A8_less_work/reference.h"
 #include "lessons/assignments/judge/assignment.h"
@@ -18,6 +19,8 @@ struct Shaded {
   int fragments = 0;   // that were evaluated at all
   double seconds = 0;  // from questions to answers, without what the judge computes meanwhile
   Work work;           // that is needed
+  // Row after row, of all.
+  std::vector<a8::Colour> pixels, right;
 
   bool is_right() const { return error <= 1 + 1e-6; }  // rounding apart
 };

@@ -93,7 +93,9 @@ Shaded shade_rows(Examination& e) {
     const Work needed = work(variant, row);
     all.work.visible += needed.visible, all.work.lit += needed.lit;
     all.work.bounded += needed.bounded;
+    all.right.insert(all.right.end(), right.begin(), right.end());
     for (std::size_t x = 0; x < right.size(); ++x) {
+      all.pixels.push_back({got[3 * x], got[3 * x + 1], got[3 * x + 2]});
       const double off =
           std::max({std::abs(got[3 * x] - right[x].r), std::abs(got[3 * x + 1] - right[x].g),
                     std::abs(got[3 * x + 2] - right[x].b)}) /

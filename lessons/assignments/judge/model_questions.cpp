@@ -141,24 +141,30 @@ Finding compare_rows(const Rows& rows, const std::vector<WrongRows>& mistakes) {
   const Values &got = rows.got, &expected = rows.expected;
   const double scale = scale_of(expected);
   const auto width = std::size_t(rows.width), count = expected.size() / width;
-  std::size_t wrong = 0, first = 0;
-  for (std::size_t i = count; i-- > 0;) {
+  std::size_t wrong = 0, worst = 0;  // tiny values, which come first as often, say little
+  double most_off = -1;
+  for (std::size_t i = 0; i < count; ++i) {
     bool right = true;
-    for (std::size_t k = i * width; k < (i + 1) * width; ++k)
+    double off = 0;
+    for (std::size_t k = i * width; k < (i + 1) * width; ++k) {
       right &= agree(got[k], expected[k], scale);
-    if (!right) ++wrong, first = i;
+      off = std::isfinite(got[k]) ? std::max(off, std::abs(got[k] - expected[k]))
+                                  : std::numeric_limits<double>::infinity();
+    }
+    wrong += !right;
+    if (!right && off > most_off) most_off = off, worst = i;
   }
   if (wrong == 0) return {};
 
   const auto row = [&](const Values& all) {
-    const auto at = all.begin() + std::ptrdiff_t(first * width);
+    const auto at = all.begin() + std::ptrdiff_t(worst * width);
     return describe(Values(at, at + std::ptrdiff_t(width)));
   };
   const auto finding = [&](double share, const std::string& hint) -> Finding {
-    return {share, worded("%s is wrong at %zu of %zu %s. The first:\n  %s\n  yours:     %s\n"
+    return {share, worded("%s is wrong at %zu of %zu %s. The worst:\n  %s\n  yours:     %s\n"
                           "  should be: %s",
                           rows.name.c_str(), wrong, count, rows.of_what.c_str(),
-                          rows.describe(first).c_str(), row(got).c_str(), row(expected).c_str()) +
+                          rows.describe(worst).c_str(), row(got).c_str(), row(expected).c_str()) +
                        (hint.empty() ? "" : "\n" + hint)};
   };
   if (std::ranges::all_of(got, [](double value) { return value == 0; }))

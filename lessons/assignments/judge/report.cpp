@@ -53,8 +53,10 @@ void print_report(std::ostream& out, const Assignment& assignment, const Verdict
         << points_text(most) << '\n';
   };
   for (const TestScore& test : verdict.tests) {
-    const bool passed = test.points >= test.max_points;
-    row(test.id, test.name, passed ? "passed" : "failed", test.points, test.max_points);
+    const char* const result = test.points >= test.max_points ? "passed"
+                               : test.points > 0              ? "in part"
+                                                              : "failed";
+    row(test.id, test.name, result, test.points, test.max_points);
     if (verdict.built && !test.hidden && !test.message.empty()) {
       print_indented(out, test.message, "        ");
       if (!test.printed.empty()) {

@@ -13,8 +13,11 @@ body { font: 16px/1.45 "DejaVu Sans", Verdana, Arial, sans-serif; max-width: 110
        margin: 24px auto; padding: 0 16px; color: #222; }
 table { border-collapse: collapse; width: 100%; }
 td, th { text-align: left; vertical-align: top; padding: 6px 10px; border-bottom: 1px solid #ccc; }
-td.points { text-align: right; white-space: nowrap; }
+td.points, th.points { text-align: right; white-space: nowrap; }
 .passed { color: #1a6b2d; } .failed { color: #a3241c; font-weight: bold; }
+.part { color: #8a5a00; font-weight: bold; white-space: nowrap; }
+th.name { width: 70%; }
+tr.said td { padding-top: 0; } tr.saying td { border-bottom: none; }
 pre { font: 13px/1.3 "DejaVu Sans Mono", Menlo, Consolas, monospace; margin: 6px 0 0;
       white-space: pre-wrap; }
 .compare { margin: 8px 0 32px; }
@@ -101,7 +104,6 @@ std::string compare(const JudgedPicture& picture) {
 }
 
 std::string row(const TestScore& test, bool built) {
-  const bool passed = test.points >= test.max_points;
   std::string message;
   if (built && !test.hidden && !test.message.empty()) {
     message = "<pre>" + escape_html(test.message) + "</pre>";
@@ -109,10 +111,16 @@ std::string row(const TestScore& test, bool built) {
       message += "<details><summary>What your program printed</summary><pre>" +
                  escape_html(test.printed) + "</pre></details>";
   }
-  return "<tr><td>" + escape_html(test.id) + "</td><td>" + escape_html(test.name) + message +
-         "</td><td class=\"" + (passed ? "passed\">passed" : "failed\">failed") +
-         "</td><td class=\"points\">" + points_text(test.points) + " of " +
-         points_text(test.max_points) + "</td></tr>\n";
+  const std::string how = test.points >= test.max_points ? "passed\">passed"
+                          : test.points > 0              ? "part\">in part"
+                                                         : "failed\">failed";
+  const std::string opened = message.empty() ? "<tr>" : "<tr class=\"saying\">";
+  return opened + "<td>" + escape_html(test.id) + "</td><td>" + escape_html(test.name) +
+         "</td><td class=\"" + how + "</td><td class=\"points\">" + points_text(test.points) +
+         " of " + points_text(test.max_points) + "</td></tr>\n" +
+         (message.empty()
+              ? ""
+              : "<tr class=\"said\"><td></td><td colspan=\"3\">" + message + "</td></tr>\n");
 }
 
 }  // namespace
@@ -123,7 +131,8 @@ std::string report_page(const Assignment& assignment, const Verdict& verdict) {
   page.replace(page.find("%TITLE%"), 7, escape_html(title));
   page += "<h1>" + escape_html(title) + "</h1>\n<p>Variant " + std::to_string(verdict.seed) +
           ": <b>" + points_text(points(verdict)) + " of " + points_text(max_points(verdict)) +
-          " points</b>.</p>\n<table><tr><th>Test</th><th></th><th></th><th></th></tr>\n";
+          " points</b>.</p>\n<table><tr><th>Test</th><th class=\"name\"></th><th>Result</th>"
+          "<th class=\"points\">Points</th></tr>\n";
   for (const TestScore& test : verdict.tests) page += row(test, verdict.built);
   page += "</table>\n";
   if (verdict.effort) page += "<p>" + effort_text(*verdict.effort) + "</p>\n";
