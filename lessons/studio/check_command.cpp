@@ -21,11 +21,14 @@ struct CheckOptions {
 };
 
 void check(const CheckOptions& options) {
-  const std::filesystem::path folder = options.folder;
-  if (!std::filesystem::is_directory(folder)) throw Error(options.folder, "is not a folder");
+  if (!std::filesystem::is_directory(options.folder))
+    throw Error(options.folder, "is not a folder");
+  const std::filesystem::path folder = std::filesystem::canonical(options.folder);
   const assignments::Rubric rubric = assignments::read_rubric(folder / "rubric.toml");
   const auto& assignment = assignments::assignment(rubric.assignment);
-  const std::string page = options.page.empty() ? (folder / "check.html").string() : options.page;
+  const std::string page = options.page.empty()
+                               ? (std::filesystem::path(options.folder) / "check.html").string()
+                               : options.page;
   const TemporaryFolder scratch;
   assignments::Verdict verdict;
   {

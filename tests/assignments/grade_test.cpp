@@ -111,11 +111,13 @@ TEST_F(Grading, OddSubmissionsScoreNothingAndStopNobody) {
     job_.submissions.push_back(path("submissions") / name);
   }
   fs::create_symlink("/etc/passwd", path("submissions") / "link" / a1_.file);
+  fs::create_directory_symlink(job_.submissions[0], path("submissions") / "another's");
+  job_.submissions.push_back(path("submissions") / "another's");
   mkfifo((path("submissions") / "pipe" / a1_.file).c_str(), 0600);
   fs::create_directories(path("submissions") / "folder" / a1_.file);
   submit("large", std::string(2 << 20, ' '));
   const GradeRun run = run_grading(job_);
-  ASSERT_EQ(run.grades.size(), 7u);
+  ASSERT_EQ(run.grades.size(), 8u);
   for (const Grade& grade : run.grades) {
     EXPECT_EQ(grade.fault, "") << grade.submission;
     EXPECT_EQ(grade.total, grade.submission.starts_with("new") ? 20 : 0) << grade.submission;

@@ -119,13 +119,23 @@ TEST(HostileAnswers, TheJudgeDoesNotAnswerItsOwnQuestion) {
       << verdict.tests[0].message;
 }
 
-TEST(HostileAnswers, ATestThatCountsItsRunsFindsNoFault) {
+TEST(HostileAnswers, TestsThatCountTheirRunsOrThrowDiceFindNoFault) {
   const Assignment& a9 = assignment("A9");
-  std::string text = starter_text(a9);
-  const std::string nothing = "check(true);";
-  ASSERT_NE(text.find(nothing), text.npos);
-  text.replace(text.find(nothing), nothing.size(), "static int runs = 0; check(++runs != 1);");
-  EXPECT_EQ(points(judge_text(a9, text)), 0);
+  std::string text = "#include <sys/random.h>\n" + starter_text(a9);
+  const auto replace = [&text](const std::string& from, const std::string& to) {
+    ASSERT_NE(text.find(from), text.npos);
+    text.replace(text.find(from), from.size(), to);
+  };
+  replace("void covers_something()",
+          "void counts() { static int runs = 0; check(++runs != 1); }\n"
+          "void throws_dice() { unsigned char die; getrandom(&die, 1, 0); check(die >= 64); }\n"
+          "void covers_something()");
+  std::string dice;
+  for (int i = 0; i < 20; ++i) dice += "{\"dice\", throws_dice}, ";
+  replace("{\"covers something\", covers_something},", "{\"counts\", counts}, " + dice);
+  const Verdict verdict = judge_text(a9, text);
+  EXPECT_TRUE(verdict.built) << verdict.build_log;
+  EXPECT_EQ(points(verdict), 0);
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ std::string submission_key(const fs::path& submission, const Assignment& assignm
   std::error_code none;
   const fs::file_status status = fs::symlink_status(file, none);
   Fingerprint fingerprint;
-  fingerprint.add(std::to_string(int(status.type())));
+  fingerprint.add(std::to_string(int(status.type()))).add(fs::is_symlink(submission) ? "link" : "");
   if (!fs::is_regular_file(status)) return fingerprint.text();
   constexpr std::uintmax_t largest = 1 << 20;  // a larger one is not judged at all
   const std::uintmax_t size = fs::file_size(file, none);

@@ -141,15 +141,19 @@ Finding compare_rows(const Rows& rows, const std::vector<WrongRows>& mistakes) {
   const Values &got = rows.got, &expected = rows.expected;
   const double scale = scale_of(expected);
   const auto width = std::size_t(rows.width), count = expected.size() / width;
-  std::size_t wrong = 0, worst = 0;  // tiny values, which come first as often, say little
+  // Tiny values say little, though they be the first: of two that are as wrong, the larger is
+  // shown.
+  constexpr double for_size = .1;
+  std::size_t wrong = 0, worst = 0;
   double most_off = -1;
   for (std::size_t i = 0; i < count; ++i) {
     bool right = true;
     double off = 0;
     for (std::size_t k = i * width; k < (i + 1) * width; ++k) {
       right &= agree(got[k], expected[k], scale);
-      off = std::isfinite(got[k]) ? std::max(off, std::abs(got[k] - expected[k]))
-                                  : std::numeric_limits<double>::infinity();
+      off = std::isfinite(got[k])
+                ? std::max(off, std::abs(got[k] - expected[k]) + for_size * std::abs(expected[k]))
+                : std::numeric_limits<double>::infinity();
     }
     wrong += !right;
     if (!right && off > most_off) most_off = off, worst = i;

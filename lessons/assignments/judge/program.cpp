@@ -89,6 +89,9 @@ const std::vector<std::string>& compiler_flags() {
 Build build(const Assignment& assignment, std::uint64_t seed, const fs::path& submission,
             sandbox::Sandbox& sandbox) {
   Build result;
+  // As a file: it may lead to another's submission, or to the solution.
+  if (fs::is_symlink(submission)) result.message = "the submission's folder is a link";
+  if (!result.message.empty()) return result;
   const std::string text = read_submitted(submission / assignment.file, result.message);
   if (!result.message.empty()) return result;
   const fs::path folder = sandbox.scratch();
