@@ -175,7 +175,8 @@ class Assembler {
       chunk_.lit.sites.push_back({drawn.triangle, behind});
     else if (shading_ == Shading::gouraud)
       for (int corner = 0; corner < 3; ++corner)
-        chunk_.lit.corners.push_back(vertex_site(local_vertex(local, corner), behind));
+        chunk_.lit.corners.push_back(
+            std::uint16_t(vertex_site(local_vertex(local, corner), behind)));
   }
 
   /// Into its tiles goes the triangle that was recorded last.

@@ -156,7 +156,7 @@ void put_exactly(const Frame& frame, int r, double x, double y, FragmentSpan& sp
 }  // namespace
 
 void put_barycentric(const Frame& frame, FragmentSpan& span) {
-  const EdgeFunctions edges(frame.settings.interpolation == Interpolation::perspective, span);
+  const EdgeFunctions edges(frame, span);
   for (int i = 0; i < span.size; i += Batch::lanes) {
     const OfRuns of(span.run + i);
     const Batch column = columns(span, i);

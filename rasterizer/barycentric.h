@@ -10,11 +10,11 @@
 #pragma once
 
 #include "rasterizer/batch.h"
-#include "rasterizer/pipeline.h"
+#include "rasterizer/fragment_span.h"
 
 namespace scanlit {
 
-/// Fills b1 and b2 of all fragments, and back_facing of all runs, from pixels and corners.
+/// Fills b1 and b2 of all fragments, and facing of all runs, from pixels and corners.
 void put_barycentric(const Frame& frame, FragmentSpan& span);
 
 /// Those of a vector of fragments, of corners 1 and 2 of the mesh's triangle.

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "rasterizer/coarse_depth.h"
-#include "rasterizer/pipeline.h"
+#include "rasterizer/fragment_span.h"
 
 namespace scanlit {
 

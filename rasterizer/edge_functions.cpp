@@ -63,11 +63,12 @@ struct EdgeFunctions::Corners {
   }
 };
 
-EdgeFunctions::EdgeFunctions(bool perspective, FragmentSpan& span) {
+EdgeFunctions::EdgeFunctions(const Frame& frame, FragmentSpan& span) {
+  const bool perspective = frame.settings.interpolation == Interpolation::perspective;
   for (int r = 0; r < span.run_count; r += Batch::lanes) {
     const Corners corners(span, r, perspective);
     put_functions(corners, r, span);
-    put_sides(corners, r, span);
+    put_sides(frame, corners, r, span);
   }
 }
 
@@ -98,19 +99,25 @@ void EdgeFunctions::put_functions(const Corners& corners, int r, const FragmentS
   }
 }
 
-void EdgeFunctions::put_sides(const Corners& corners, int r, FragmentSpan& span) {
+void EdgeFunctions::put_sides(const Frame& frame, const Corners& corners, int r,
+                              FragmentSpan& span) {
   const unsigned small = bits_of(Batch::Mask{hn::RebindMask(Batch::tag, corners.small())});
   const unsigned imprecise = bits_of(corners.imprecise()) & ~small;
-  const unsigned clockwise = bits_of(corners.twice_area().rounded() < Batch(0));
+  const float front = span.draw->mirrored ? -1 : 1;
+  select(corners.twice_area().rounded() < Batch(0), -front, front).store(span.facing + r);
   const int end = std::min(Batch::lanes, span.run_count - r);
   for (int i = 0; i < end; ++i) {
-    Run& run = span.runs[r + i];
-    run.back_facing = (clockwise >> i & 1) != unsigned(span.draw->mirrored);
-    const bool cut = run.drawn->piece != DrawnTriangle::not_cut;
+    const DrawnTriangle& drawn = *span.runs[r + i].drawn;
+    const bool cut = drawn.piece != DrawnTriangle::not_cut;
     if ((imprecise >> i & 1) || cut || span.with_derivatives)
       others_[other_count_++] = std::uint16_t(r + i);
     // Shading asks for them next.
-    hwy::Prefetch(&span.draw->mesh->indices[3 * std::size_t(run.drawn->triangle)]);
+    if (span.draw->object->shading == Shading::gouraud) {
+      const Chunk& chunk = frame.chunks[drawn.chunk];
+      hwy::Prefetch(&chunk.lit.corners[3 * chunk.number_of(drawn)]);
+    } else {
+      hwy::Prefetch(&span.draw->mesh->indices[3 * std::size_t(drawn.triangle)]);
+    }
   }
 }
 

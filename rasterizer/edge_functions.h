@@ -11,7 +11,7 @@ namespace scanlit {
 class EdgeFunctions {
  public:
   /// Also says which runs' triangles are seen from behind.
-  EdgeFunctions(bool perspective, FragmentSpan& span);
+  EdgeFunctions(const Frame& frame, FragmentSpan& span);
 
   /// At a vector of fragments in these columns, over w.
   Batch at(const OfRuns& of, int corner, const Batch& column) const {
@@ -26,7 +26,7 @@ class EdgeFunctions {
  private:
   struct Corners;
   void put_functions(const Corners& corners, int r, const FragmentSpan& span);
-  void put_sides(const Corners& corners, int r, FragmentSpan& span);
+  void put_sides(const Frame& frame, const Corners& corners, int r, FragmentSpan& span);
 
   FragmentSpan::PerRun column_;  // of that pixel
   FragmentSpan::PerRun first_[3], per_pixel_[3], inv_w_[3];

@@ -5,7 +5,7 @@
 #include <bit>
 
 #include "rasterizer/batch.h"
-#include "rasterizer/pipeline.h"
+#include "rasterizer/fragment_span.h"
 #include "rasterizer/vec.h"
 
 namespace scanlit {

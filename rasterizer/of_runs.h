@@ -2,7 +2,7 @@
 #pragma once
 
 #include "rasterizer/batch.h"
-#include "rasterizer/pipeline.h"
+#include "rasterizer/fragment_span.h"
 
 namespace scanlit {
 

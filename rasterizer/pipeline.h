@@ -17,6 +17,7 @@
 //                                           tile_triangles.h, coarse_depth.h; many at once
 //                                           where they are tiny: tiny_triangles.h)
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
+//                                           (fragment_span.h)
 //                                           (where in their triangles: barycentric.h; which
 //                                           may be interpolated, on request: strides.h)
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
@@ -175,17 +176,16 @@ inline bool drawn_before(const DrawnTriangle& a, const DrawnTriangle& b) {
 /// Flat and Gouraud: the places where the reflection model is evaluated before any fragment is, and
 /// the colours it gave. Phong has none.
 struct LitSites {
-  static constexpr int colour = 0, ambient = 3, diffuse = 6, glossy = 9;  // first channel of each
-
   struct Site {
     std::uint32_t element;  // of the mesh: a triangle (flat), or a vertex (Gouraud)
     bool from_behind;       // its normal is flipped
   };
   std::vector<Site> sites;
-  std::vector<std::uint32_t> corners;  // Gouraud: the sites of triangle i are 3 i .. 3 i + 2; flat:
+  std::vector<std::uint16_t> corners;  // Gouraud: the sites of triangle i are 3 i .. 3 i + 2; flat:
                                        // none, the site of triangle i is i
-  int channels = 3;                    // colour alone, or with its parts
-  std::vector<float> values;           // channels a site
+  // Linear RGB of each site, and 0: four numbers are copied at once. Parts only where they are
+  // asked for. Up to a whole vector.
+  std::vector<glm::vec4> colour, ambient, diffuse, glossy;
 };
 
 /// What one tile gets of one chunk.
@@ -287,66 +287,5 @@ struct VisibleColumns;
 /// Scan-converts one of the tile's triangles, at least in the columns where it may be seen; null:
 /// in all of them.
 void scan_convert(TriangleId id, VisibilityTile& visibility, const VisibleColumns* columns);
-
-// ---------------------------------------------------------------------------- (8), (9) fragments
-
-/// Consecutive fragments of one triangle in a span.
-struct Run {
-  const DrawnTriangle* drawn;
-  std::uint16_t first, size;  // in the span
-  bool back_facing;           // its normal is flipped to the viewer's side
-  // strides.h: fragments are every so many pixels, and at the last of so many; the colours of those
-  // between are interpolated.
-  std::uint8_t stride;
-  std::uint16_t pixels;
-};
-
-/// A pixel as one number; in a row they are consecutive. Sides are at most 2^14.
-inline std::uint32_t packed_pixel(int x, int y) {
-  return std::uint32_t(y) << 16 | std::uint32_t(x);
-}
-/// Its place in a picture.
-inline std::size_t index_of_pixel(std::uint32_t packed, std::size_t width) {
-  return std::size_t(packed >> 16) * width + (packed & 0xffff);
-}
-
-/// Visible fragments of one object, gathered across triangles, gaps and rows, so that vectors are
-/// full also where triangles are as small as pixels. An attribute a of a run's triangle is
-/// a0 + b1 (a1 - a0) + b2 (a2 - a0).
-struct FragmentSpan {
-  static constexpr int capacity = 512;
-  static constexpr int padded = capacity + int(max_lanes);
-  using PerRun = float[padded];  // one number for each run
-
-  const Draw* draw = nullptr;
-  int size = 0, run_count = 0;
-  int pixels = 0;           // of all runs
-  bool may_stride = false;  // strides.h
-  Run runs[capacity];
-  std::int32_t run[padded];      // of each fragment: the number of its run
-  std::uint32_t pixel[padded];   // packed_pixel(); row by row, from left to right
-  float weight[padded];          // share of the pixel's samples, 0..1
-  float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle
-
-  ScreenVertex corners[3][padded];  // of each run's triangle, to make them of
-
-  // Runs of one fragment each that is not at its pixel's centre, and where it is, in 1/256 pixel.
-  struct Centroid {
-    int run;
-    double x, y;
-  };
-  std::vector<Centroid> centroids;
-
-  void clear() {
-    size = run_count = pixels = 0;
-    centroids.clear();
-  }
-
-  // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.
-  bool with_derivatives = false;
-  struct Derivatives {
-    float b1[padded], b2[padded];
-  } dx, dy;  // on the right, below
-};
 
 }  // namespace scanlit

@@ -13,9 +13,8 @@ namespace scanlit {
 
 namespace {
 
-Rgb<float> rgb_at(const std::vector<float>& values, std::size_t first = 0) {
-  return {values[first], values[first + 1], values[first + 2]};
-}
+Rgb<float> rgb(const glm::vec4& v) { return {v.x, v.y, v.z}; }
+Rgb<float> rgb(const std::vector<float>& values) { return {values[0], values[1], values[2]}; }
 
 /// The points of a flat or Gouraud object's triangle, with the colours that assembly lit them with.
 std::vector<PointRecord> site_points(const Frame& frame, const Run& run, SurfaceSpan& surface) {
@@ -33,12 +32,11 @@ std::vector<PointRecord> site_points(const Frame& frame, const Run& run, Surface
              surface);
   std::vector<PointRecord> points = light_points(frame, draw, surface);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const std::size_t first = sites[i] * std::size_t(chunk.lit.channels);
-    points[i].element = chunk.lit.sites[sites[i]].element;
-    points[i].ambient = rgb_at(chunk.lit.values, first + LitSites::ambient);
-    points[i].diffuse = rgb_at(chunk.lit.values, first + LitSites::diffuse);
-    points[i].glossy = rgb_at(chunk.lit.values, first + LitSites::glossy);
-    points[i].colour = rgb_at(chunk.lit.values, first + LitSites::colour);
+    const LitSites& lit = chunk.lit;
+    const std::size_t site = sites[i];
+    points[i].element = lit.sites[site].element;
+    points[i].ambient = rgb(lit.ambient[site]), points[i].diffuse = rgb(lit.diffuse[site]);
+    points[i].glossy = rgb(lit.glossy[site]), points[i].colour = rgb(lit.colour[site]);
   }
   return points;
 }
@@ -47,7 +45,8 @@ std::vector<PointRecord> site_points(const Frame& frame, const Run& run, Surface
 void take_fragment(const FragmentSpan& from, const Run& run, int i, FragmentSpan& to) {
   to.draw = from.draw;
   to.size = to.run_count = to.pixels = 1;
-  to.runs[0] = {run.drawn, 0, 1, run.back_facing, 1, 1};
+  to.runs[0] = {run.drawn, 0, 1, 1, 1};
+  to.facing[0] = from.facing[&run - from.runs];
   to.run[0] = 0;
   to.pixel[0] = from.pixel[i];
   to.weight[0] = from.weight[i];
@@ -150,7 +149,7 @@ void PixelProbe::add(const Frame& frame, const FragmentSpan& span, const Run& ru
   const auto& [a, b, c] = drawn.vertices;
   FragmentRecord result{.object = drawn.draw,
                         .triangle = drawn.triangle,
-                        .back_facing = run.back_facing,
+                        .back_facing = one_.facing[0] < 0,
                         .clipped = drawn.piece != DrawnTriangle::not_cut,
                         .screen = screen_triangle(a, b, c),
                         .b1 = span.b1[i],
@@ -161,9 +160,9 @@ void PixelProbe::add(const Frame& frame, const FragmentSpan& span, const Run& ru
 
   Framebuffer picture(1, 1, {.normal = true, .parts = true});
   shader_.shade(frame, one_, target(picture), picture);
-  result.colour = rgb_at(picture.colour);
-  result.ambient = rgb_at(picture.ambient), result.diffuse = rgb_at(picture.diffuse);
-  result.glossy = rgb_at(picture.glossy);
+  result.colour = rgb(picture.colour);
+  result.ambient = rgb(picture.ambient), result.diffuse = rgb(picture.diffuse);
+  result.glossy = rgb(picture.glossy);
   result.normal = {picture.normal[0], picture.normal[1], picture.normal[2]};
 
   if (span.draw->object->shading != Shading::phong) {

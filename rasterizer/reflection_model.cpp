@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rasterizer/pipeline.h"
+#include "rasterizer/fragment_span.h"
 #include "rasterizer/radiance.h"
 
 namespace scanlit {

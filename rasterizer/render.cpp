@@ -239,6 +239,7 @@ FrameStats render(const Scene& scene, const Camera& camera, const RenderSettings
 FrameStats Renderer::render(const Scene& scene, const Camera& camera,
                             const RenderSettings& settings, Framebuffer& framebuffer) {
   const auto start = Clock::now();
+  const std::uint64_t start_tick = StageTimer::now();
   validate(scene);
   validate(camera);
   validate(settings);
@@ -275,6 +276,8 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
   if (settings.reuse) state.last.keep(scene, camera, settings, framebuffer);
   stats.threads = threads;
   stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const double seconds_per_tick = stats.wall_seconds / double(StageTimer::now() - start_tick);
+  for (double& stage : stats.seconds) stage *= seconds_per_tick;
   return stats;
 }
 

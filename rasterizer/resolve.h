@@ -4,10 +4,11 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
-#include <bit>
+#include <span>
 #include <unordered_map>
 
 #include "rasterizer/barycentric.h"
+#include "rasterizer/batch.h"
 #include "rasterizer/span_collector.h"
 #include "rasterizer/strides.h"
 
@@ -81,28 +82,31 @@ class Resolver {
 
   /// Cuts a row into runs of one triangle, and gathers them.
   void resolve_row(int y, const Rect& pixels, const TriangleId* row) {
-    ends_.clear();
-    for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
-      const auto here = hn::LoadU(unsigneds, row + x), next = hn::LoadU(unsigneds, row + x + 1);
-      const Batch::Mask differs{hn::RebindMask(Batch::tag, hn::Ne(here, next))};
-      unsigned last = bits_of(differs);
-      if (const int left = pixels.x_end - x; left <= Batch::lanes) {
-        const unsigned final = 1u << (left - 1);
-        last = (last & (final - 1)) | final;
-      }
-      for (; last != 0; last &= last - 1) {
-        const int end = x + std::countr_zero(last) + 1;
-        ends_.push_back(end);
-        // Memory answers while the rest of the row is cut.
-        if (const TriangleId id = row[end - 1]; id < mixed)
-          hwy::Prefetch(visibility_.triangles[id]);
-      }
-    }
+    const std::span<const std::int32_t> ends = run_ends(pixels, row);
+    // Memory answers while the first runs are gathered.
+    for (const int end : ends)
+      if (const TriangleId id = row[end - 1]; id < mixed) hwy::Prefetch(visibility_.triangles[id]);
     int begin = pixels.x_begin;
-    for (const int end : ends_) {
+    for (const int end : ends) {
       resolve_run(begin, end, y, row[begin]);
       begin = end;
     }
+  }
+
+  /// Past the last pixel of each run.
+  std::span<const std::int32_t> run_ends(const Rect& pixels, const TriangleId* row) {
+    const hn::RebindToSigned<Batch::Tag> ints;
+    ends_.resize(std::size_t(visibility_.stride));
+    std::size_t count = 0;
+    for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
+      const auto here = hn::LoadU(unsigneds, row + x), next = hn::LoadU(unsigneds, row + x + 1);
+      const auto in_row = hn::FirstN(unsigneds, std::size_t(pixels.x_end - 1 - x));
+      const auto last = hn::RebindMask(ints, hn::And(hn::Ne(here, next), in_row));
+      hn::StoreU(hn::Compress(hn::Iota(ints, x + 1), last), ints, &ends_[count]);
+      count += hn::CountTrue(ints, last);
+    }
+    ends_[count++] = pixels.x_end;
+    return {ends_.data(), count};
   }
 
   // Called for each run, which may be of one pixel: its parts are inlined, but for those that few
@@ -123,10 +127,8 @@ class Resolver {
   void append_all(const DrawnTriangle& drawn, int begin, int y, int end, FragmentSpan& span) {
     for (; begin < end; begin += FragmentSpan::capacity) {
       const int count = std::min(end - begin, FragmentSpan::capacity);
-      if (span.size + count > FragmentSpan::capacity) shade(span);
-      for (int i = 0; i < count; i += Batch::lanes)
-        append(hn::Iota(unsigneds, packed_pixel(begin + i, y)), 1, i, span);
-      close(drawn, count, 1, count, span);
+      append({.drawn = &drawn, .size = count, .pixels = count}, 1, span,
+             [&](int i) { return hn::Iota(unsigneds, packed_pixel(begin + i, y)); });
     }
   }
 
@@ -171,37 +173,36 @@ class Resolver {
   void append_some(const DrawnTriangle& drawn, int x, int y, int count, int stride,
                    FragmentSpan& span) {
     const int size = (count - 2) / stride + 2;
-    if (span.size + size > FragmentSpan::capacity) shade(span);
-    for (int i = 0; i < size; i += Batch::lanes) {
+    append({.drawn = &drawn, .size = size, .stride = stride, .pixels = count}, 1, span, [&](int i) {
       const auto step =
           hn::Mul(hn::Iota(unsigneds, unsigned(i)), hn::Set(unsigneds, unsigned(stride)));
       const auto column = hn::Min(step, hn::Set(unsigneds, unsigned(count - 1)));
-      append(hn::Add(hn::Set(unsigneds, packed_pixel(x, y)), column), 1, i, span);
-    }
-    close(drawn, size, stride, count, span);
+      return hn::Add(hn::Set(unsigneds, packed_pixel(x, y)), column);
+    });
   }
 
-  /// A vector of pixels of the next run, from its fragment i on.
-  static void append(hn::Vec<Unsigned> pixel, float weight, int i, FragmentSpan& span) {
+  struct NewRun {
+    const DrawnTriangle* drawn;
+    int size, stride = 1, pixels;
+  };
+  /// pixel(i) is a vector of the run's packed pixels, from its fragment i on.
+  template <class Pixel>
+  void append(const NewRun& run, float weight, FragmentSpan& span, const Pixel& pixel) {
+    if (span.size + run.size > FragmentSpan::capacity) shade(span);
     const hn::RebindToSigned<Batch::Tag> ints;
-    const int at = span.size + i;
-    hn::StoreU(pixel, unsigneds, span.pixel + at);
-    hn::StoreU(hn::Set(ints, span.run_count), ints, span.run + at);
-    Batch(weight).store(span.weight + at);
-  }
-
-  /// Ends the run whose pixels were appended.
-  static void close(const DrawnTriangle& drawn, int size, int stride, int pixels,
-                    FragmentSpan& span) {
-    const int r = span.run_count++;
-    for (int k = 0; k < 3; ++k) span.corners[k][r] = drawn.vertices[k];
-    span.runs[r] = {.drawn = &drawn,
-                    .first = std::uint16_t(span.size),
-                    .size = std::uint16_t(size),
-                    .back_facing = false,  // as long as it is not known
-                    .stride = std::uint8_t(stride),
-                    .pixels = std::uint16_t(pixels)};
-    span.size += size, span.pixels += pixels;
+    const int first = span.size, r = span.run_count;
+    for (int i = 0; i < run.size; i += Batch::lanes) {
+      hn::StoreU(pixel(i), unsigneds, span.pixel + first + i);
+      hn::StoreU(hn::Set(ints, r), ints, span.run + first + i);
+      Batch(weight).store(span.weight + first + i);
+    }
+    for (int k = 0; k < 3; ++k) span.corners[k][r] = run.drawn->vertices[k];
+    span.runs[r] = {.drawn = run.drawn,
+                    .first = std::uint16_t(first),
+                    .size = std::uint16_t(run.size),
+                    .stride = std::uint8_t(run.stride),
+                    .pixels = std::uint16_t(run.pixels)};
+    span.size = first + run.size, span.run_count = r + 1, span.pixels += run.pixels;
   }
 
   [[gnu::noinline]] void shade(FragmentSpan& span) {
@@ -253,13 +254,12 @@ class Resolver {
     const double centre_x = x * subpixel + half_pixel, centre_y = y * subpixel + half_pixel;
     const bool centred = ExactWeights(frame_, drawn).holds(centre_x, centre_y);
     FragmentSpan& span = span_of(drawn);
-    if (span.size == FragmentSpan::capacity) shade(span);
     const float share = float(count) / float(visibility_.samples);
-    append(hn::Set(unsigneds, packed_pixel(x, y)), share, 0, span);
+    append({.drawn = &drawn, .size = 1, .pixels = 1}, share, span,
+           [&](int) { return hn::Set(unsigneds, packed_pixel(x, y)); });
     if (!centred)
       span.centroids.push_back(
-          {span.run_count, centre_x + sum_x / count, centre_y + sum_y / count});
-    close(drawn, 1, 1, 1, span);
+          {span.run_count - 1, centre_x + sum_x / count, centre_y + sum_y / count});
     return true;
   }
 
@@ -275,7 +275,7 @@ class Resolver {
   FragmentSpan* span_ = nullptr;  // the one that was filled last, of this draw
   std::uint32_t span_draw_ = no_id;
   std::vector<TriangleId> row_;
-  std::vector<int> ends_;  // of a row's runs
+  std::vector<std::int32_t> ends_;  // of a row's runs
   std::vector<SplitPixel> split_pixels_;
   std::unordered_map<TriangleId, StripStrides> strips_;
   std::int64_t covered_pixels_ = 0;

@@ -7,28 +7,33 @@
 #include "rasterizer/cost.h"
 #include "rasterizer/interpolated_run.h"
 #include "rasterizer/placement.h"
-#include "rasterizer/scalar_math.h"
 
 namespace scanlit {
 
 namespace {
 
-/// A lit site's colour, with its parts where sites have room for them. Clamped, if asked for, so
-/// that the parts still add up to the colour.
-void store_site(const LitSpan& lit, int i, bool clamped, LitSites& sites, std::size_t site) {
-  float* value = &sites.values[site * std::size_t(sites.channels)];
-  for (int c = 0; c < 3; ++c) {
-    const float ambient = lit.ambient[c][i];
-    float diffuse = lit.diffuse[c][i], glossy = lit.glossy[c][i];
-    if (clamped) {
-      diffuse = min(diffuse, max(1.0f - ambient, 0.0f));
-      glossy = min(glossy, max((1.0f - ambient) - diffuse, 0.0f));
+/// Colours of lit sites from `first` on, with their parts where those are asked for. Clamped, if
+/// asked for, so that the parts still add up to the colour.
+void store_sites(const LitSpan& lit, int size, bool clamped, LitSites& sites, std::size_t first) {
+  for (int i = 0; i < size; i += Batch::lanes) {
+    Batch ambient[3], diffuse[3], glossy[3], colour[3];
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c) {
+      ambient[c] = Batch::load(lit.ambient[c] + i);
+      diffuse[c] = Batch::load(lit.diffuse[c] + i), glossy[c] = Batch::load(lit.glossy[c] + i);
+      if (clamped) {
+        diffuse[c] = min(diffuse[c], max(Batch(1) - ambient[c], Batch(0)));
+        glossy[c] = min(glossy[c], max((Batch(1) - ambient[c]) - diffuse[c], Batch(0)));
+      }
+      colour[c] = ambient[c] + (diffuse[c] + glossy[c]);
     }
-    value[LitSites::colour + c] = ambient + (diffuse + glossy);
-    if (sites.channels == 3) continue;
-    value[LitSites::ambient + c] = ambient;
-    value[LitSites::diffuse + c] = diffuse;
-    value[LitSites::glossy + c] = glossy;
+    const auto store = [&](const Batch(&v)[3], std::vector<glm::vec4>& to) {
+      if (!to.empty())
+        hn::StoreInterleaved4(v[0].raw, v[1].raw, v[2].raw, Batch(0).raw, Batch::tag,
+                              &to[first + std::size_t(i)].x);
+    };
+    store(colour, sites.colour);
+    store(ambient, sites.ambient), store(diffuse, sites.diffuse), store(glossy, sites.glossy);
   }
 }
 
@@ -59,15 +64,16 @@ void light_sites(const Frame& frame, const Draw& draw, LitSites& lit_sites, Fram
   LitSpan lit;
   const Needs needs = draw.object->material.model->needs();
   const std::size_t count = lit_sites.sites.size();
-  lit_sites.channels = frame.with_parts ? 12 : 3;
-  lit_sites.values.resize(count * std::size_t(lit_sites.channels));
+  const std::size_t padded = count + max_lanes;
+  lit_sites.colour.resize(padded);
+  for (auto* part : {&lit_sites.ambient, &lit_sites.diffuse, &lit_sites.glossy})
+    part->resize(frame.with_parts ? padded : 0);
   for (std::size_t begin = 0; begin < count; begin += SurfaceSpan::capacity) {
     surface.size = int(std::min<std::size_t>(SurfaceSpan::capacity, count - begin));
     for (int i = 0; i < surface.size; ++i)
       put_site(draw, needs, lit_sites.sites[begin + std::size_t(i)], i, surface);
     light(frame, draw, surface, lit, stats);
-    for (int i = 0; i < surface.size; ++i)
-      store_site(lit, i, frame.settings.clamp_vertex_colours, lit_sites, begin + std::size_t(i));
+    store_sites(lit, surface.size, frame.settings.clamp_vertex_colours, lit_sites, begin);
   }
 }
 
@@ -103,40 +109,38 @@ void SpanShader::phong(const Frame& frame, const FragmentSpan& span, bool parts)
 }
 
 void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool parts) {
-  const auto channels = [&](int first, auto& out) {
-    RunAttribute<3> values;
+  const auto interpolate = [&](const auto& part, auto& out) {
+    RunAttribute colours;
     for (int r = 0; r < span.run_count; ++r) {
       const DrawnTriangle& drawn = *span.runs[r].drawn;
       const Chunk& chunk = frame.chunks[drawn.chunk];
-      const std::uint32_t* const site = &chunk.lit.corners[3 * chunk.number_of(drawn)];
-      const auto at = [&](int k) {
-        return &chunk.lit.values[site[k] * std::size_t(chunk.lit.channels)] + first;
-      };
-      values.put(r, {at(0), at(1), at(2)}, 1);
+      const std::uint16_t* const site = &chunk.lit.corners[3 * chunk.number_of(drawn)];
+      const glm::vec4* const colour = (chunk.lit.*part).data();
+      colours.put(r, colour[site[0]], colour[site[1]], colour[site[2]]);
     }
-    values.interpolate(span, out);
+    colours.interpolate(span, out);
   };
-  channels(LitSites::colour, lit_.colour);
+  interpolate(&LitSites::colour, lit_.colour);
   if (!parts) return;
-  channels(LitSites::ambient, lit_.ambient);
-  channels(LitSites::diffuse, lit_.diffuse);
-  channels(LitSites::glossy, lit_.glossy);
+  interpolate(&LitSites::ambient, lit_.ambient);
+  interpolate(&LitSites::diffuse, lit_.diffuse);
+  interpolate(&LitSites::glossy, lit_.glossy);
 }
 
 void SpanShader::flat(const Frame& frame, const FragmentSpan& span, bool parts) {
-  for (int r = 0; r < span.run_count; ++r) {
-    const Run& run = span.runs[r];
-    const Chunk& chunk = frame.chunks[run.drawn->chunk];
-    const LitSites& sites = chunk.lit;
-    const float* value = &sites.values[chunk.number_of(*run.drawn) * std::size_t(sites.channels)];
-    for (int c = 0; c < 3; ++c) {
-      std::fill_n(lit_.colour[c] + run.first, run.size, value[LitSites::colour + c]);
-      if (!parts) continue;
-      std::fill_n(lit_.ambient[c] + run.first, run.size, value[LitSites::ambient + c]);
-      std::fill_n(lit_.diffuse[c] + run.first, run.size, value[LitSites::diffuse + c]);
-      std::fill_n(lit_.glossy[c] + run.first, run.size, value[LitSites::glossy + c]);
+  const auto fill = [&](const auto& part, auto& out) {
+    for (int r = 0; r < span.run_count; ++r) {
+      const Run& run = span.runs[r];
+      const Chunk& chunk = frame.chunks[run.drawn->chunk];
+      const glm::vec4& colour = (chunk.lit.*part)[chunk.number_of(*run.drawn)];
+      for (int c = 0; c < 3; ++c) std::fill_n(out[c] + run.first, run.size, colour[c]);
     }
-  }
+  };
+  fill(&LitSites::colour, lit_.colour);
+  if (!parts) return;
+  fill(&LitSites::ambient, lit_.ambient);
+  fill(&LitSites::diffuse, lit_.diffuse);
+  fill(&LitSites::glossy, lit_.glossy);
 }
 
 // -------------------------------------------------------------------------------------------------
@@ -237,8 +241,7 @@ void SpanShader::write_normals(const Frame& frame, const FragmentSpan& span,
     interpolate_surface(span, surface_);
     for (int r = 0; r < span.run_count && shading == Shading::flat; ++r) {
       const Run& run = span.runs[r];
-      const glm::vec3 normal =
-          face(*span.draw->mesh, run.drawn->triangle).normal * (run.back_facing ? -1.0f : 1.0f);
+      const glm::vec3 normal = face(*span.draw->mesh, run.drawn->triangle).normal * span.facing[r];
       for (int c = 0; c < 3; ++c) std::fill_n(surface_.normal[c] + run.first, run.size, normal[c]);
     }
     Places unused;

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "rasterizer/pipeline.h"
+#include "rasterizer/fragment_span.h"
 
 namespace scanlit {
 

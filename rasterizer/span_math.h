@@ -4,7 +4,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "rasterizer/batch_vec.h"
-#include "rasterizer/pipeline.h"
+#include "rasterizer/fragment_span.h"
 
 namespace scanlit {
 

@@ -185,11 +185,8 @@ class StagedFrame {
     const auto width = std::size_t(frame_.viewport.width);
     if (!stages_.shade) {
       span.run_count = 1, span.pixels = span.size;
-      span.runs[0] = {&frame_.chunks[0].triangles[0],
-                      0,
-                      std::uint16_t(size),
-                      piece.back_facing,
-                      1,
+      span.facing[0] = piece.back_facing ? -1 : 1;
+      span.runs[0] = {&frame_.chunks[0].triangles[0], 0, std::uint16_t(size), 1,
                       std::uint16_t(size)};
       shader_->shade(frame_, span, {.linear = framebuffer_.colour.data(), .width = width},
                      framebuffer_);

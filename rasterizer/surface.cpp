@@ -1,5 +1,7 @@
 #include "rasterizer/surface.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
 #include <glm/geometric.hpp>
 
@@ -51,11 +53,24 @@ void fill(float (&out)[components][SurfaceSpan::padded], float value) {
 
 constexpr int ahead = 8;  // runs: about as long as memory takes to answer
 
-void prefetch(const Mesh& mesh, std::uint32_t triangle, bool positions) {
-  for (const std::size_t v : Corners(mesh, triangle).vertex) {
-    if (positions) __builtin_prefetch(&mesh.positions[v]);
-    __builtin_prefetch(&mesh.normals[v]);
+/// An attribute of the mesh's vertices.
+template <bool fine, class V>
+void interpolate(const std::vector<V>& values, const FragmentSpan& span,
+                 float (&out)[std::size_t(V::length())][SurfaceSpan::padded],
+                 const float* sign = nullptr) {
+  RunAttribute<fine> attribute;
+  const auto corners = [&](int r) {
+    return &span.draw->mesh->indices[3 * std::size_t(span.runs[r].drawn->triangle)];
+  };
+  for (int r = 0; r < span.run_count; ++r) {
+    if (r + ahead < span.run_count) {  // in a fine mesh each run's vertices are elsewhere in memory
+      const std::uint32_t* const v = corners(r + ahead);
+      hwy::Prefetch(&values[v[0]]), hwy::Prefetch(&values[v[1]]), hwy::Prefetch(&values[v[2]]);
+    }
+    const std::uint32_t* const v = corners(r);
+    attribute.put(r, values[v[0]], values[v[1]], values[v[2]]);
   }
+  attribute.interpolate(span, out, sign);
 }
 
 /// By how much the texture coordinates grow with one pixel.
@@ -105,28 +120,11 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   const Needs needs = span.draw->object->material.model->needs();
   const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
   const bool positions = span.draw->illumination.needs_position;
-  const auto interpolate = [&](const auto& values, auto& out) {
-    RunAttribute<int(std::extent_v<std::remove_reference_t<decltype(out)>>), true> runs;
-    for (int r = 0; r < span.run_count; ++r) {
-      const auto& v = Corners(mesh, span.runs[r].drawn->triangle).vertex;
-      runs.put(r, {&values[v[0]].x, &values[v[1]].x, &values[v[2]].x}, 1);
-    }
-    runs.interpolate(span, out);
-  };
-  RunAttribute<3> normals;
-  for (int r = 0; r < span.run_count; ++r) {
-    const Run& run = span.runs[r];
-    // In a fine mesh each run's vertices are elsewhere in memory.
-    if (r + ahead < span.run_count) prefetch(mesh, span.runs[r + ahead].drawn->triangle, positions);
-    const auto& v = Corners(mesh, run.drawn->triangle).vertex;
-    normals.put(r, {&mesh.normals[v[0]].x, &mesh.normals[v[1]].x, &mesh.normals[v[2]].x},
-                run.back_facing ? -1.0f : 1.0f);
-  }
-  normals.interpolate(span, surface.normal);
-  if (positions) interpolate(mesh.positions, surface.position);
-  if (tangents) interpolate(mesh.tangents, surface.tangent);
-  if (points && !mesh.texcoords.empty()) interpolate(mesh.texcoords, surface.texcoord);
-  if (points && !mesh.colours.empty()) interpolate(mesh.colours, surface.colour);
+  interpolate<false>(mesh.normals, span, surface.normal, span.facing);
+  if (positions) interpolate<true>(mesh.positions, span, surface.position);
+  if (tangents) interpolate<true>(mesh.tangents, span, surface.tangent);
+  if (points && !mesh.texcoords.empty()) interpolate<true>(mesh.texcoords, span, surface.texcoord);
+  if (points && !mesh.colours.empty()) interpolate<true>(mesh.colours, span, surface.colour);
   if (points && span.with_derivatives && !mesh.texcoords.empty())
     for (int r = 0; r < span.run_count; ++r)
       interpolate_growth(span, span.runs[r], Corners(mesh, span.runs[r].drawn->triangle).vertex,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstring>
 #include <vector>
 
 #include "rasterizer/of_runs.h"
@@ -45,41 +46,58 @@ Face face(const Mesh& mesh, std::uint32_t triangle);
 void put_site(const Draw& draw, const Needs& needs, const LitSites::Site& site, int i,
               SurfaceSpan& surface);
 
-/// An attribute's channels over the runs of a span: a0 + b1 (a1 - a0) + b2 (a2 - a0). `fine`: the
-/// small terms first, so that only one sum is rounded at the size of a0. A solid texture's fine
-/// fibres magnify what a position has lost; normals and colours save an operation.
-template <int channels, bool fine = false>
+/// An attribute over the runs of a span: a0 + b1 (a1 - a0) + b2 (a2 - a0). `fine`: the small terms
+/// first, so that only one sum is rounded at the size of a0. A solid texture's fine fibres magnify
+/// what a position has lost; normals and colours save an operation.
+template <bool fine = false>
 class RunAttribute {
  public:
-  /// Of run r, times `sign`; `corner` points at the attribute in each corner of its triangle.
-  void put(int r, const float* const (&corner)[3], float sign) {
-#pragma GCC unroll 3
-    for (int c = 0; c < channels; ++c) {
-      const float a0 = sign * corner[0][c];
-      a0_[c][r] = a0;
-      d1_[c][r] = sign * corner[1][c] - a0;
-      d2_[c][r] = sign * corner[2][c] - a0;
-    }
+  /// Of the corners of run r's triangle.
+  template <class V>
+  void put(int r, const V& a, const V& b, const V& c) {
+    std::memcpy(corners_[0][r], &a, sizeof(V));
+    std::memcpy(corners_[1][r], &b, sizeof(V));
+    std::memcpy(corners_[2][r], &c, sizeof(V));
   }
 
-  /// Channel c at a vector of fragments.
-  Batch at(const OfRuns& of, int c, const Batch& b1, const Batch& b2) const {
-    if constexpr (fine) return of(a0_[c]) + mul_add(b2, of(d2_[c]), b1 * of(d1_[c]));
-    return mul_add(b2, of(d2_[c]), mul_add(b1, of(d1_[c]), of(a0_[c])));
-  }
-
-  /// At all of them, up to a whole vector.
-  void interpolate(const FragmentSpan& span, float (&out)[channels][SurfaceSpan::padded]) const {
+  /// At all fragments, up to a whole vector; where there is a sign, each run's times its own.
+  template <int channels>
+  void interpolate(const FragmentSpan& span, float (&out)[channels][SurfaceSpan::padded],
+                   const float* sign = nullptr) {
+    for (int r = 0; r < span.run_count; r += Batch::lanes)
+      put_differences<channels>(r, sign ? Batch::load(sign + r) : Batch(1));
     for (int i = 0; i < span.size; i += Batch::lanes) {
       const OfRuns of(span.run + i);
       const Batch b1 = Batch::load(span.b1 + i), b2 = Batch::load(span.b2 + i);
 #pragma GCC unroll 3
-      for (int c = 0; c < channels; ++c) at(of, c, b1, b2).store(out[c] + i);
+      for (int c = 0; c < channels; ++c) {
+        const Batch a0 = of(a0_[c]), d1 = of(d1_[c]), d2 = of(d2_[c]);
+        (fine ? a0 + mul_add(b2, d2, b1 * d1) : mul_add(b2, d2, mul_add(b1, d1, a0)))
+            .store(out[c] + i);
+      }
     }
   }
 
  private:
-  FragmentSpan::PerRun a0_[channels], d1_[channels], d2_[channels];
+  /// Of a vector of runs.
+  template <int channels>
+  void put_differences(int r, const Batch& sign) {
+    Batch a[3][4];
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k)
+      hn::LoadInterleaved4(Batch::tag, corners_[k][r], a[k][0].raw, a[k][1].raw, a[k][2].raw,
+                           a[k][3].raw);
+#pragma GCC unroll 3
+    for (int c = 0; c < channels; ++c) {
+      const Batch a0 = sign * a[0][c];
+      a0.store(a0_[c] + r);
+      (sign * a[1][c] - a0).store(d1_[c] + r);
+      (sign * a[2][c] - a0).store(d2_[c] + r);
+    }
+  }
+
+  float corners_[3][FragmentSpan::padded][4];
+  FragmentSpan::PerRun a0_[3], d1_[3], d2_[3];
 };
 
 /// Every fragment of the span becomes a point, with what its object's Illumination needs.

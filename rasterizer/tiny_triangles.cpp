@@ -106,9 +106,10 @@ class TinyTriangles {
     max_ = max(depth[0], max(depth[1], depth[2]));
   }
 
-  /// put(lane, column, row, depth) for each covered pixel, which the triangle's box counts.
+  /// put(lane, pixel, depth) for each covered pixel, which the triangle's box counts: by rows of
+  /// `stride`.
   template <class Put>
-  void for_each_fragment(const SampleOffset& offset, const Put& put) const {
+  void for_each_fragment(const SampleOffset& offset, int stride, const Put& put) const {
     const int columns = hn::GetLane(hn::MaxOfLanes(ints, boxes_.width));
     const int rows = hn::GetLane(hn::MaxOfLanes(ints, boxes_.height));
     IntVector row_start[3], per_column[3];
@@ -142,11 +143,12 @@ class TinyTriangles {
       for (int column = 0; column < columns; ++column) {
         if (covered[column] == 0) continue;
         const Batch steps = hn::ConvertTo(Batch::tag, hn::Sub(set(column), first_column));
+        const int pixel = row * stride + column;
         float depths[max_lanes];
         min(max(anchor + steps * per_pixel_, min_), max_).store(depths);
         for (unsigned bits = covered[column]; bits != 0; bits &= bits - 1) {
           const int lane = std::countr_zero(bits);
-          put(lane, column, row, depths[lane]);
+          put(lane, pixel, depths[lane]);
         }
       }
 #pragma GCC unroll 3
@@ -187,8 +189,8 @@ unsigned scan_convert_tiny(std::span<const DrawnTriangle> triangles, TriangleId 
     float* const depths = visibility.depth.data() + plane;
     TriangleId* const ids = visibility.triangle.data() + plane;
     tiny.for_each_fragment(
-        samples[std::size_t(sample)], [&](int lane, int column, int row, float z) {
-          const std::ptrdiff_t at = offsets[lane] + row * visibility.stride + column;
+        samples[std::size_t(sample)], visibility.stride, [&](int lane, int pixel, float z) {
+          const std::ptrdiff_t at = offsets[lane] + pixel;
           const TriangleId id = first + TriangleId(lane), there = ids[at];
           const float stored = depths[at];
           bool nearer = z > stored;
