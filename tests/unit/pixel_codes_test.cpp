@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -104,6 +105,8 @@ TEST(PixelCodes, OfAPictureAreThoseOfItsFloats) {
         scene.background = background;
         const RenderSettings settings = with_samples(samples);
         Framebuffer floats(97, 61), codes(97, 61, {.format = format});
+        // Whatever they held is replaced.
+        std::ranges::fill(floats.colour, 77.0f), std::ranges::fill(codes.rgba8, 77);
         render(scene, Camera(), settings, floats);
         render(scene, Camera(), settings, codes);
         std::vector<std::uint8_t> expected(floats.colour.size());
