@@ -140,6 +140,8 @@ int main(int argc, char** argv) {
       for (const SkipSwitch& skip : skip_switches()) {
         const Frame without = frame(width, height, &skip);
         savings.emplace_back(skip.name, with, without);
+        if (skip.member == &Skips::hidden_clusters && with.stats.clusters_hidden == 0)
+          savings.back().words = "nothing: there are no walls";
         lesson.figure("without " + savings.back().name, savings.back().words);
         if (skip.member == &Skips::hidden_triangles) all_hidden = without;
       }

@@ -4,6 +4,7 @@
 
 #include "rasterizer/binning.h"
 #include "rasterizer/cluster_culling.h"
+#include "rasterizer/occlusion.h"
 #include "rasterizer/shading.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/triangle_culling.h"
@@ -55,6 +56,11 @@ class Assembler {
       ++counts.clusters_back_facing;
       return;
     }
+    if (view == ClusterView::inside && is_hidden(cluster)) {
+      counts.behind += cluster.triangle_count;
+      ++counts.clusters_hidden;
+      return;
+    }
     cluster_ = &cluster;
     for (int i = 0; i < 3; ++i) corners_[i] = &draw_.clusters->corners[i][cluster.first_triangle];
     numbers_ = &draw_.clusters->triangles[cluster.first_triangle];
@@ -67,6 +73,12 @@ class Assembler {
       add_whole();
     else
       for (int i = 0; i < int(cluster.triangle_count); ++i) add_with_outcodes(i);
+  }
+
+  bool is_hidden(const Cluster& cluster) const {
+    return frame_.occlusion && !draw_.occluder &&
+           frame_.occlusion->hides(
+               culler_.screen_bounds({glm::dvec3(cluster.centre), double(cluster.radius)}));
   }
 
   /// A cluster none of whose vertices is outside of anything.
@@ -219,6 +231,20 @@ class Assembler {
   std::uint32_t site_of_[2][ClusterVertices::capacity];
 };
 
+/// A chunk of an object that lies outside of the view, or is hidden.
+void skip_whole(Chunk& chunk) {
+  FrameStats& counts = chunk.counts;
+  const auto& clusters = chunk.draw->clusters->clusters;
+  for (std::uint32_t i = chunk.first_cluster; i < chunk.end_cluster; ++i)
+    counts.triangles += clusters[i].triangle_count;
+  if (chunk.draw->outside) {
+    counts.outside = counts.triangles;
+  } else {
+    counts.behind = counts.triangles;
+    counts.clusters = counts.clusters_hidden = chunk.end_cluster - chunk.first_cluster;
+  }
+}
+
 }  // namespace
 
 void assemble(const Frame& frame, Chunk& chunk, FrameStats& stats) {
@@ -229,13 +255,7 @@ void assemble(const Frame& frame, Chunk& chunk, FrameStats& stats) {
   chunk.lit.corners.clear();
   chunk.bins.clear();
   chunk.counts = {};
-  if (chunk.draw->outside) {
-    const auto& clusters = chunk.draw->clusters->clusters;
-    for (std::uint32_t i = chunk.first_cluster; i < chunk.end_cluster; ++i)
-      chunk.counts.triangles += clusters[i].triangle_count;
-    chunk.counts.outside = chunk.counts.triangles;
-    return;
-  }
+  if (chunk.draw->outside || chunk.draw->hidden) return skip_whole(chunk);
   {
     const StageTimer timer(stats, Stage::assembly);
     Assembler(frame, chunk, scratch).run();

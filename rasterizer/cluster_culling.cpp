@@ -1,5 +1,6 @@
 #include "rasterizer/cluster_culling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
@@ -138,6 +139,34 @@ ClusterView ClusterCuller::view(const Cluster& cluster) const {
 
 ClusterView ClusterCuller::view(const Sphere& bounds) const {
   return view(extent(bounds.centre, bounds.radius));
+}
+
+ScreenBounds ClusterCuller::screen_bounds(const Sphere& sphere) const {
+  constexpr int farthest = 1 << 24;  // pixels: far outside, and an int holds it
+  const Extent e = extent(sphere.centre, sphere.radius);
+  if (!(e.least_w > 0))  // rounding has eaten it up: nothing is known
+    return {{-farthest, -farthest, farthest, farthest}, std::numeric_limits<double>::infinity()};
+  const double most_w = e.centre.w + lengths_[3] * e.radius + e.error.w;
+  const auto divided = [&](double largest) { return largest / (largest > 0 ? e.least_w : most_w); };
+  // From -1 to 1 in the picture.
+  const auto range = [&](double centre, double length, double error) {
+    const double reach = length * e.radius + error;
+    return std::array{-divided(reach - centre), divided(reach + centre)};
+  };
+  const auto x = range(e.centre.x, lengths_[0], e.error.x);
+  const auto y = range(e.centre.y, lengths_[1], e.error.y);
+  // Snapping moves vertices by half of 1/256 pixel, and float's product with half the size, of at
+  // most 2^13 pixels, by less than twice as much.
+  const double moved = 0x1p-6;
+  const auto pixel = [&](double half_size, double place, double beyond) {
+    const double pixels = (half_size + half_size * place) / subpixel + beyond;
+    return int(std::floor(std::clamp(pixels, -double(farthest), double(farthest))));
+  };
+  const Rect pixels{pixel(half_width_, x[0], -moved), pixel(half_height_, -y[1], -moved),
+                    pixel(half_width_, x[1], moved) + 1, pixel(half_height_, -y[0], moved) + 1};
+  // Division rounds, and interpolation three times more, each time by less than 2^-23.
+  const double nearest = divided(e.centre.z + lengths_[2] * e.radius + e.error.z);
+  return {pixels, nearest + 0x1p-20 * std::abs(nearest)};
 }
 
 }  // namespace scanlit

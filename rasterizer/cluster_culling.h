@@ -38,6 +38,12 @@ enum class ClusterView {
   crossing      // or not known
 };
 
+/// What a sphere can cover on the screen, and how near it can be.
+struct ScreenBounds {
+  Rect pixels;     // may be empty, may leave the picture
+  double nearest;  // the greatest depth of any fragment, or more
+};
+
 /// One draw's constants of the tests.
 class ClusterCuller {
  public:
@@ -46,6 +52,9 @@ class ClusterCuller {
   ClusterView view(const Cluster& cluster) const;
   /// Of anything that the sphere (object space) holds; never back_facing.
   ClusterView view(const Sphere& bounds) const;
+
+  /// Of a cluster or sphere whose view is `inside`.
+  ScreenBounds screen_bounds(const Sphere& sphere) const;
 
  private:
   /// A sphere in clip space.

@@ -9,7 +9,7 @@
 //   (4) clip             clip.cpp           the few triangles that leave the volume    clip
 //   (5) project, snap    vertex_stage.cpp   divide by w, round to 1/256 pixel          screen space
 //   (6) assembly         assembly.cpp       clusters and triangles that cannot be seen screen
-//                                           are dropped (cluster_culling.h,
+//                                           are dropped (cluster_culling.h, occlusion.h,
 //                                           triangle_culling.h), the rest sorted into tiles
 //                                           (binning.h)
 //   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
@@ -35,8 +35,9 @@
 //
 // Visibility comes first and shading after it, once per visible fragment: what is hidden is never
 // shaded. render.cpp runs (3) to (6) for chunks of clusters, one cluster after the other, and then
-// (7) to (10) for tiles (tile.cpp), both in parallel and small enough to stay in the cache. What
-// may stand from the last frame, reuse.h says.
+// (7) to (10) for tiles (tile.cpp), both in parallel and small enough to stay in the cache. Where
+// much may be hidden behind a few large triangles, these go through (3) to (7) first. What may
+// stand from the last frame, reuse.h says.
 //
 // Conventions, said once:
 //  * Object and world space are right-handed. The camera looks along -z of its own space, +y up.
@@ -104,6 +105,8 @@ struct Draw {
   bool draw_back_faces;
   bool mirrored;            // the transform reverses orientation
   bool outside = false;     // of the view, as a whole
+  bool occluder = false;    // drawn first, to see what is behind it (occlusion.h)
+  bool hidden = false;      // behind occluders, as a whole
   bool may_stride = false;  // strides.h
   Illumination illumination{};
 };
@@ -220,6 +223,8 @@ struct Chunk {
   std::size_t number_of(const DrawnTriangle& t) const { return std::size_t(&t - triangles.data()); }
 };
 
+class Occlusion;
+
 /// Everything known of the frame that is being drawn. Each stage reads what earlier ones filled.
 struct Frame {
   const Scene& scene;
@@ -227,9 +232,10 @@ struct Frame {
   const RenderSettings& settings;
   Viewport viewport;
   TileGrid grid;
-  std::vector<Draw> draws;    // (2)
-  std::vector<Chunk> chunks;  // (6)
-  bool with_parts = false;    // colours are wanted in parts, too
+  std::vector<Draw> draws;               // (2)
+  std::vector<Chunk> chunks;             // (6)
+  const Occlusion* occlusion = nullptr;  // (6); null: what is hidden is not known
+  bool with_parts = false;               // colours are wanted in parts, too
   Viewer viewer = viewer_of(camera, viewport.width, viewport.height);
   ColourFormat format = ColourFormat::linear_float;
   bool colour_alone = false;  // of what fragments are shaded for

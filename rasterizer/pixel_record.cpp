@@ -191,7 +191,7 @@ PixelRecord record_pixel(const Scene& scene, const Camera& camera, const RenderS
   all.tolerance = 0;  // a pixel between two shaded ones has no derivation
   // So that every light, direction and hidden triangle is there to be recorded.
   all.skips.dark_lights = all.skips.far_directions = all.skips.unused_attributes = false;
-  all.skips.hidden_triangles = all.skips.empty_pixels = false;
+  all.skips.hidden_clusters = all.skips.hidden_triangles = all.skips.empty_pixels = false;
   Framebuffer framebuffer(width, height, {.parts = true});
   render(scene, camera, all, framebuffer);
   std::copy_n(&framebuffer.colour[4 * (std::size_t(y) * std::size_t(width) + std::size_t(x))], 4,

@@ -17,6 +17,7 @@
 #include "rasterizer/draw.h"
 #include "rasterizer/error.h"
 #include "rasterizer/lighting.h"
+#include "rasterizer/occlusion.h"
 #include "rasterizer/reuse.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/stages.h"
@@ -65,8 +66,9 @@ using Workers = tbb::enumerable_thread_specific<Worker>;
 void add(const FrameStats& part, FrameStats& sum) {
   for (const auto member :
        {&FrameStats::vertices, &FrameStats::objects_outside, &FrameStats::clusters,
-        &FrameStats::clusters_outside, &FrameStats::clusters_back_facing, &FrameStats::triangles,
-        &FrameStats::outside, &FrameStats::back_facing, &FrameStats::no_pixel, &FrameStats::drawn,
+        &FrameStats::clusters_outside, &FrameStats::clusters_back_facing,
+        &FrameStats::clusters_hidden, &FrameStats::triangles, &FrameStats::outside,
+        &FrameStats::behind, &FrameStats::back_facing, &FrameStats::no_pixel, &FrameStats::drawn,
         &FrameStats::clipped, &FrameStats::hidden, &FrameStats::fragments,
         &FrameStats::covered_pixels, &FrameStats::evaluations, &FrameStats::evaluations_skipped,
         &FrameStats::spans})
@@ -84,6 +86,7 @@ struct Renderer::State {
   std::vector<Chunk> chunks;  // of all objects' clusters, in order
   LastFrame last;
   std::vector<VisibilityTile> kept_tiles;  // only with `reuse`
+  Occlusion occlusion;
   std::unique_ptr<tbb::task_arena> arena;
   std::unique_ptr<tbb::global_control> limit;
   int threads = 0;
@@ -91,6 +94,7 @@ struct Renderer::State {
   void use_threads(int count);
   FrameStats run_stages(Frame& frame, const Changes& changes, Framebuffer& framebuffer);
   void make_draws(Frame& frame, const Changes& changes);
+  void find_hidden(Frame& frame);
   void assemble_all(Frame& frame, const Changes& changes);
   std::vector<Redo> find_tiles(const Frame& frame, const Changes& changes) const;
 };
@@ -136,11 +140,43 @@ void Renderer::State::make_draws(Frame& frame, const Changes& changes) {
   if (changes.everything) frame.chunks.resize(count);
 }
 
-/// (3) to (6), and (9) at faces and vertices, of what changed.
+/// (3) to (7) of the occluders alone, if there are any, and what of the other objects they hide.
+void Renderer::State::find_hidden(Frame& frame) {
+  // What stands from the last frame may be seen in this one.
+  const bool may_skip = frame.settings.skips.hidden_clusters && !frame.settings.reuse;
+  if (!may_skip || !Occlusion::choose_occluders(frame)) return;
+  parallel(frame.chunks.size(), [&](std::size_t i) {
+    Chunk& chunk = frame.chunks[i];
+    chunk.bins.clear();
+    if (chunk.draw->occluder) assemble(frame, chunk, workers.local().shader.stats);
+  });
+  occlusion.reset(frame);
+  parallel(std::size_t(frame.grid.count()), [&](std::size_t i) {
+    Worker& worker = workers.local();
+    const StageTimer timer(worker.shader.stats, Stage::scan_conversion);
+    FrameStats not_counted;  // these triangles are going to be drawn again
+    worker.triangles.gather(frame, int(i), worker.visibility);
+    worker.triangles.scan_convert_all(frame, worker.visibility, not_counted,
+                                      [](TriangleId, const VisibleColumns*) {});
+    occlusion.put(worker.visibility);
+  });
+  frame.occlusion = &occlusion;
+  parallel(frame.draws.size(), [&](std::size_t i) {
+    Draw& draw = frame.draws[i];
+    if (draw.outside || draw.occluder) return;
+    const ClusterCuller culler(draw, frame.viewport);
+    const Sphere& bounds = draw.clusters->bounds;
+    draw.hidden =
+        culler.view(bounds) == ClusterView::inside && occlusion.hides(culler.screen_bounds(bounds));
+  });
+}
+
+/// (3) to (6), and (9) at faces and vertices, of what changed and is not there already.
 void Renderer::State::assemble_all(Frame& frame, const Changes& changes) {
   parallel(frame.chunks.size(), [&](std::size_t i) {
     Chunk& chunk = frame.chunks[i];
     FrameStats& stats = workers.local().shader.stats;
+    if (chunk.draw->occluder) return;
     if (changes.object(chunk.draw->index)) {
       assemble(frame, chunk, stats);
     } else {
@@ -178,6 +214,7 @@ FrameStats Renderer::State::run_stages(Frame& frame, const Changes& changes,
   for (Worker& worker : workers) worker.shader.stats = {};
   make_draws(frame, changes);
   std::vector<Redo> tiles = find_tiles(frame, changes);
+  find_hidden(frame);
   assemble_all(frame, changes);
   if (frame.settings.tolerance > 0) try_all_strides(frame);
   const std::vector<Redo> tiles_now = find_tiles(frame, changes);
@@ -199,7 +236,8 @@ FrameStats Renderer::State::run_stages(Frame& frame, const Changes& changes,
 
   FrameStats total;
   total.tiles_kept = std::ranges::count(tiles, Redo::nothing);
-  for (const Draw& draw : frame.draws) total.objects_outside += draw.outside;
+  for (const Draw& draw : frame.draws)
+    total.objects_outside += draw.outside, total.objects_hidden += draw.hidden;
   for (const Chunk& chunk : frame.chunks) add(chunk.counts, total);
   for (const Worker& worker : workers) add(worker.shader.stats, total);
   return total;
@@ -215,6 +253,7 @@ std::span<const SkipSwitch> skip_switches() {
   static constexpr SkipSwitch switches[] = {{"outside-objects", &Skips::outside_objects},
                                             {"outside-clusters", &Skips::outside_clusters},
                                             {"back-facing-clusters", &Skips::back_facing_clusters},
+                                            {"hidden-clusters", &Skips::hidden_clusters},
                                             {"unseen-triangles", &Skips::unseen_triangles},
                                             {"clip-tests", &Skips::clip_tests},
                                             {"hidden-triangles", &Skips::hidden_triangles},

@@ -26,6 +26,7 @@ struct Skips {
   bool outside_objects = true;       // objects whose bounds lie outside the view
   bool outside_clusters = true;      // of the rest, clusters of triangles outside the view
   bool back_facing_clusters = true;  // clusters whose triangles all face away
+  bool hidden_clusters = true;       // objects and clusters behind others' few large triangles
   bool unseen_triangles = true;      // back faces, and triangles between the sample positions,
                                      // before they are sorted into tiles
   bool clip_tests = true;            // of clusters that lie wholly inside of the guard band
@@ -72,11 +73,12 @@ const char* name(Stage stage);
 /// What a frame did. Counts do not depend on the number of threads; seconds are summed over them.
 struct FrameStats {
   std::int64_t vertices = 0;  // transformed; those that clusters share, more than once
-  std::int64_t objects_outside = 0;
+  std::int64_t objects_outside = 0, objects_hidden = 0;
   std::int64_t clusters = 0;  // of objects that are not outside
-  std::int64_t clusters_outside = 0, clusters_back_facing = 0;
-  std::int64_t triangles = 0;    // submitted; = outside + back_facing + no_pixel + drawn
+  std::int64_t clusters_outside = 0, clusters_back_facing = 0, clusters_hidden = 0;
+  std::int64_t triangles = 0;    // submitted; = outside + behind + back_facing + no_pixel + drawn
   std::int64_t outside = 0;      // wholly outside the view
+  std::int64_t behind = 0;       // in clusters that are hidden as a whole
   std::int64_t back_facing = 0;  // facing away, where only front faces are drawn
   std::int64_t no_pixel = 0;     // zero area on the screen, or between the sample positions
   std::int64_t drawn = 0;        // sorted into tiles, for scan conversion

@@ -56,16 +56,19 @@ void print_geometry(std::ostream& out, const FrameStats& stats, const Scene& sce
   const CountRows objects(out, "objects", object_count);
   objects.row("in", object_count);
   objects.row("outside the view", stats.objects_outside, "skipped");
+  objects.row("hidden", stats.objects_hidden, "skipped");
 
   const CountRows clusters(out, "clusters of triangles", stats.clusters);
   clusters.row("in", stats.clusters, "those of objects outside the view not counted");
   clusters.row("outside the view", stats.clusters_outside, "skipped");
   clusters.row("facing away", stats.clusters_back_facing, "skipped");
+  clusters.row("hidden", stats.clusters_hidden, "skipped: behind a few large triangles");
   print_row(out, "vertices", grouped(stats.vertices), "", "transformed, of the rest");
 
   const CountRows triangles(out, "triangles", stats.triangles);
   triangles.row("in", stats.triangles);
   triangles.row("outside the view", stats.outside, "skipped");
+  triangles.row("in hidden clusters", stats.behind, "skipped");
   triangles.row("facing away", stats.back_facing, "skipped");
   triangles.row("without a pixel", stats.no_pixel, "skipped: no area, or between the samples");
   triangles.row("drawn", stats.drawn);

@@ -51,6 +51,8 @@ unsigned outcode(const ClipVertex& v, const Viewport& viewport) {
 struct Fate {
   unsigned outcodes = 0;  // of all its vertices
   bool in_picture = false, front = false, back = false;
+  Rect pixels{};      // that a triangle which is not cut may touch
+  float nearest = 0;  // of its corners' depths
 };
 
 Fate fate(const Draw& draw, const Viewport& viewport, std::uint32_t triangle) {
@@ -82,8 +84,16 @@ Fate fate(const Draw& draw, const Viewport& viewport, std::uint32_t triangle) {
     const auto [y_min, y_max] = std::minmax({a.y, b.y, c.y});
     result.in_picture |= x_max >= 0 && y_max >= 0 && x_min < viewport.width * subpixel &&
                          y_min < viewport.height * subpixel;
+    result.pixels = {x_min >> 8, y_min >> 8, (x_max >> 8) + 1, (y_max >> 8) + 1};
+    result.nearest = std::max({a.depth, b.depth, c.depth});
   }
   return result;
+}
+
+/// Whether a triangle without outcodes keeps within what was said of its cluster or object.
+bool within(const ScreenBounds& bounds, const Fate& f) {
+  return f.pixels.empty() ||
+         (united(bounds.pixels, f.pixels) == bounds.pixels && double(f.nearest) < bounds.nearest);
 }
 
 using Counts = std::map<ClusterView, int>;  // of clusters
@@ -93,13 +103,22 @@ testing::AssertionResult culled_rightly(const MeshClusters& mesh, const Draw& dr
                                         const Viewport& viewport, Counts& counts) {
   const ClusterCuller culler(draw, viewport);
   const ClusterView whole = culler.view(mesh.bounds);
+  const auto bounds_of = [&](ClusterView view, const Sphere& sphere) {
+    return view == ClusterView::inside ? culler.screen_bounds(sphere) : ScreenBounds{};
+  };
+  const ScreenBounds whole_bounds = bounds_of(whole, mesh.bounds);
   for (const Cluster& cluster : mesh.clusters) {
     const ClusterView view = culler.view(cluster);
     ++counts[view];
+    const ScreenBounds bounds =
+        bounds_of(view, {glm::dvec3(cluster.centre), double(cluster.radius)});
     for (std::uint32_t i = 0; i < cluster.triangle_count; ++i) {
       const std::uint32_t triangle = mesh.triangles[cluster.first_triangle + i];
       const Fate f = fate(draw, viewport, triangle);
       const char* wrong = nullptr;
+      if ((view == ClusterView::inside && !within(bounds, f)) ||
+          (whole == ClusterView::inside && !within(whole_bounds, f)))
+        wrong = "leaves its bounds on the screen";
       if (view == ClusterView::outside && f.in_picture) wrong = "of an outside cluster is seen";
       if (whole == ClusterView::outside && f.in_picture) wrong = "of an outside object is seen";
       if (view == ClusterView::back_facing && f.front) wrong = "faces the viewer";

@@ -126,6 +126,44 @@ TEST(Skips, HiddenLayersLeaveNoTrace) {
   }
 }
 
+/// A room: walls of two triangles each, with spheres before and behind them, and across their
+/// edges.
+TEST(Skips, WhatIsBehindWallsLeavesNoTrace) {
+  std::mt19937_64 random(11);
+  std::uniform_real_distribution<float> real(-1, 1);
+  const auto sphere = std::make_shared<Mesh>(make_shape("sphere:24"));
+  const auto wall = std::make_shared<Mesh>(make_shape("plane"));
+  std::int64_t objects_hidden = 0, clusters_hidden = 0;
+  for (int round = 0; round < 12; ++round) {
+    SCOPED_TRACE(round);
+    const auto place = [&](const std::shared_ptr<Mesh>& mesh, float size, float z) {
+      Object object = object_of(mesh, models::BlinnPhong<>());
+      object.sides = Sides::both;
+      const glm::mat4 m = glm::translate(glm::mat4(1), {4 * real(random), 3 * real(random), z});
+      object.world_from_object = glm::scale(
+          glm::rotate(m, 3 * real(random), {real(random), real(random), 0.1f}), glm::vec3(size));
+      return object;
+    };
+    Scene scene = scene_of({});
+    for (int i = 0; i < 3; ++i) scene.objects.push_back(place(wall, 4, -5 + real(random)));
+    for (int i = 0; i < 24; ++i)
+      scene.objects.push_back(place(sphere, 0.7f + 0.5f * real(random), -6 + 4 * real(random)));
+    RenderSettings settings{.samples = round % 3 == 2 ? 4 : 1};
+    Framebuffer with(width, height, planes), without(width, height, planes);
+    const FrameStats stats = render(scene, eye_at_origin(), settings, with);
+    settings.skips.hidden_clusters = false;
+    const FrameStats all = render(scene, eye_at_origin(), settings, without);
+    expect_same(with, without);
+    objects_hidden += stats.objects_hidden, clusters_hidden += stats.clusters_hidden;
+    EXPECT_EQ(stats.triangles, all.triangles);
+    EXPECT_EQ(stats.triangles,
+              stats.outside + stats.behind + stats.back_facing + stats.no_pixel + stats.drawn);
+    EXPECT_EQ(all.behind + all.objects_hidden + all.clusters_hidden, 0);
+  }
+  EXPECT_GT(objects_hidden, 10);
+  EXPECT_GT(clusters_hidden, 200);
+}
+
 /// Tilted squares, each nearer than the last by a few of float's steps: a bound that is too small
 /// by less than that would hide some of the next one.
 TEST(Skips, LayersThatNearlyTouchAreAllSeen) {

@@ -1,0 +1,65 @@
+#include "rasterizer/occlusion.h"
+
+#include <algorithm>
+
+#include "rasterizer/batch.h"
+#include "rasterizer/triangle_culling.h"
+
+namespace scanlit {
+
+bool Occlusion::choose_occluders(Frame& frame) {
+  std::int64_t occluders = 0, others = 0;
+  for (Draw& draw : frame.draws) {
+    if (draw.outside) continue;
+    const auto clusters = std::int64_t(draw.clusters->clusters.size());
+    draw.occluder = clusters == 1;
+    (draw.occluder ? occluders : others) += clusters;
+  }
+  // Measured: a cluster that is skipped saves about as much time as 500 pixels of the occluders'
+  // depth take. It pays if half of the clusters are hidden.
+  const std::int64_t pixels = std::int64_t(frame.viewport.width) * frame.viewport.height;
+  const bool pays = occluders > 0 && others >= 16 * occluders && others >= pixels / 256;
+  for (Draw& draw : frame.draws) draw.occluder = draw.occluder && pays;
+  return pays;
+}
+
+void Occlusion::reset(const Frame& frame) {
+  picture_ = picture_rect(frame.viewport);
+  columns_ = (picture_.x_end + block_width - 1) / block_width;
+  const int rows = (picture_.y_end + block_height - 1) / block_height;
+  least_.assign(std::size_t(columns_) * std::size_t(rows), 0.0f);
+}
+
+void Occlusion::put(const VisibilityTile& tile) {
+  // Blocks that triangles may touch in part alone are left at 0, as are those of the picture's
+  // edge.
+  const Rect& in = tile.touched;
+  const int first_column = (in.x_begin + block_width - 1) / block_width,
+            end_column = in.x_end / block_width;
+  for (int y = (in.y_begin + block_height - 1) / block_height * block_height;
+       y + block_height <= in.y_end; y += block_height)
+    for (int column = first_column; column < end_column; ++column) {
+      const int x = column * block_width - tile.rect.x_begin;
+      Batch least(1);
+      for (int sample = 0; sample < tile.samples; ++sample)
+        for (int row = y; row < y + block_height; ++row) {
+          const float* depth = &tile.depth[tile.row(sample, row) + std::size_t(x)];
+          for (int i = 0; i < block_width; i += Batch::lanes)
+            least = min(least, Batch::load(depth + i));
+        }
+      least_[std::size_t(y / block_height * columns_ + column)] =
+          hn::GetLane(hn::MinOfLanes(Batch::tag, least.raw));
+    }
+}
+
+bool Occlusion::hides(const ScreenBounds& bounds) const {
+  const Rect pixels = intersection(bounds.pixels, picture_);
+  if (pixels.empty()) return false;  // the least depth of no pixel is not known
+  for (int row = pixels.y_begin / block_height; row <= (pixels.y_end - 1) / block_height; ++row)
+    for (int column = pixels.x_begin / block_width; column <= (pixels.x_end - 1) / block_width;
+         ++column)
+      if (!(bounds.nearest < double(least_[std::size_t(row * columns_ + column)]))) return false;
+  return true;
+}
+
+}  // namespace scanlit

@@ -1,0 +1,35 @@
+// (6) Which clusters lie behind a few large triangles, as furniture does behind walls: their
+// vertices need not even be transformed.
+//
+// Before the rest is assembled, those few triangles (the occluders) are scan-converted alone. Of
+// each block of pixels the least depth is kept; what is farther in all blocks that it can touch is
+// hidden, whatever is drawn later, because depth only grows.
+#pragma once
+
+#include "rasterizer/cluster_culling.h"
+#include "rasterizer/pipeline.h"
+
+namespace scanlit {
+
+class Occlusion {
+ public:
+  /// Marks the draws that are occluders: those of one cluster each, if all others together have so
+  /// many that finding the hidden ones is likely to pay. Returns whether it is.
+  static bool choose_occluders(Frame& frame);
+
+  /// Nothing is hidden.
+  void reset(const Frame& frame);
+  /// Once all occluders were scan-converted in a tile. Of several tiles at a time.
+  void put(const VisibilityTile& tile);
+
+  bool hides(const ScreenBounds& bounds) const;
+
+ private:
+  static constexpr int block_width = 16, block_height = 8;  // tiles consist of whole ones
+
+  Rect picture_{};
+  int columns_ = 0;
+  std::vector<float> least_;  // depth in each block, row by row
+};
+
+}  // namespace scanlit
