@@ -46,6 +46,22 @@ TEST_P(HostileUse, Sleeps) {
   EXPECT_EQ(sleeper.answer(impatient()).end, End::out_of_wall_time);
 }
 
+TEST_P(HostileUse, SleepsBeforeEachAnswer) {
+  HostileProgram dawdler = program(
+      "#include <unistd.h>\nint main() { for (int n; read(0, &n, 4) == 4;) { usleep(100000); "
+      "if (write(1, &n, 4) != 4) return 1; } }");
+  sandbox::Limits limits = mild();
+  limits.wall_seconds = 0.2;
+  sandbox::Conversation conversation = dawdler.start(limits);
+  const auto ask_forever = [&] {
+    for (int number = 1;;) {
+      conversation.send(std::as_bytes(std::span(&number, 1)));
+      conversation.receive(std::as_writable_bytes(std::span(&number, 1)));
+    }
+  };
+  EXPECT_THROW(ask_forever(), sandbox::Silent);
+}
+
 TEST_P(HostileUse, CrashesOrExits) {
   EXPECT_EQ(program("int main() { __builtin_trap(); }").answer().end, End::killed);
   EXPECT_EQ(program("int f(int i) { volatile int a[999]; a[0] = f(i + 1); return a[0]; }\n"

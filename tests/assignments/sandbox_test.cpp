@@ -2,6 +2,7 @@
 #include "lessons/assignments/sandbox/sandbox.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <iostream>
 
@@ -88,6 +89,25 @@ int main() {
   unsetenv("SECRET_OF_THE_JUDGE");
   EXPECT_EQ(output.find("SECRET"), output.npos) << output;
   EXPECT_EQ(output.find("open:"), output.npos) << output;
+}
+
+TEST(Sandbox, ValgrindCountsBehindEachLayer) {
+  const std::string valgrind = "/usr/bin/valgrind";
+  if (access(valgrind.c_str(), X_OK) != 0) GTEST_SKIP() << "valgrind is not installed";
+  for (const sandbox::Layers& layers : shown_layers()) {
+    SCOPED_TRACE(sandbox::in_force(layers));
+    HostileProgram program(doubler, layers);
+    program.box().limits() = for_compiler();
+    program.box().limits().memory_bytes += 4ULL << 30;
+    program.box().limits().processes = 1;
+    program.box().allow_valgrind();
+    sandbox::Conversation conversation =
+        program.box().start({valgrind, "--tool=callgrind", "--vgdb=no",
+                             "--callgrind-out-file=/dev/null", program.program().string()});
+    EXPECT_EQ(ask(conversation, 21), 42);
+    const std::string output = conversation.hang_up().output;
+    EXPECT_NE(output.find("Collected : "), output.npos) << output;
+  }
 }
 
 TEST(Sandbox, PrintsItsLayers) {

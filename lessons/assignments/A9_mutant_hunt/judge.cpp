@@ -16,7 +16,8 @@ using namespace mutants;
 using a9::ask_count, a9::ask_run, a9::ask_stage;
 
 constexpr std::int64_t most_tests = 64;
-constexpr int most_calls = 5000;  // of the stage, by one test
+constexpr int most_calls = 5000;        // of the stage, by one test
+constexpr int most_pixels = 4'000'000;  // of their pictures
 
 using Stage = std::function<Fragments(const Request&)>;
 
@@ -42,12 +43,16 @@ std::int64_t count_tests(Examination& e) {
 /// Whether a test passes on a stage; if not, by its own check(). Throws Unanswered where neither.
 /// In a process of its own: a test that counted its runs would know which stage it is asked about.
 bool passes(Examination& e, std::int64_t test, const Stage& stage) {
-  int calls = 0;
+  int calls = 0, pixels = 0;
   const Counsel counsel = [&](int kind, const Numbers& question) {
     if (kind != ask_stage || ++calls > most_calls)
       throw Unanswered(worded("it calls scan_convert() more than %d times", most_calls));
+    const Request request = read_request(question);
+    pixels += request.width * request.height;
+    if (pixels > most_pixels)
+      throw Unanswered(worded("it asks for more than %d pixels altogether", most_pixels));
     Numbers answer;
-    for (const a1::Fragment& f : stage(read_request(question)))
+    for (const a1::Fragment& f : stage(request))
       answer.integers.insert(answer.integers.end(), {f.column, f.row});
     return answer;
   };
@@ -97,8 +102,8 @@ class Trial {
   }
 
   void note_late(std::int64_t test) {
-    constexpr int most_late =
-        2;  // or a program full of such tests would take minutes for each part
+    // A program full of such tests would take minutes for each part.
+    constexpr int most_late = 1;
     if (++late_ > most_late)
       throw Unanswered(broken() + "No more tests are waited for", /*in_time=*/false);
     try {

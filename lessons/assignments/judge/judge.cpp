@@ -80,7 +80,7 @@ Verdict judge(const Assignment& assignment, const std::filesystem::path& submiss
   verdict.build_log = built.log;
   sandbox.limits() = options.limits;
   sandbox.limits().cpu_seconds = std::min(options.limits.cpu_seconds, assignment.cpu_seconds);
-  constexpr double idle = 10;  // times the processor time that a program may have, and no longer
+  constexpr double idle = 3;  // times the processor time that a program may have, and no longer
   sandbox.limits().wall_seconds =
       std::min(options.limits.wall_seconds, idle * assignment.cpu_seconds);
   // Who waits for ever in one test does so in most: a class would take hours.

@@ -108,11 +108,16 @@ long computed_in_session(pid_t leader) {
 
 bool RunningProcess::idle() {
   // On a machine that others use, too, a program may wait for a processor rather than for nothing;
-  // its limit is processor time. One that only looks busy is ended at last.
+  // its limit is processor time.
+  const long before = std::exchange(computed_, computed_in_session(pid));
+  return computed_ <= before;
+}
+
+bool RunningProcess::too_old() const {
+  // Who looks busy, or sleeps before each answer but not too long, is ended at last.
   constexpr int patience = 10;
   const std::chrono::duration<double> lived = Clock::now() - start_;
-  const long before = std::exchange(computed_, computed_in_session(pid));
-  return computed_ <= before || lived.count() > patience * launch.limits.wall_seconds;
+  return lived.count() > patience * launch.limits.wall_seconds;
 }
 
 bool RunningProcess::ready(int descriptor, short event, Clock::time_point& deadline) {
@@ -120,8 +125,8 @@ bool RunningProcess::ready(int descriptor, short event, Clock::time_point& deadl
   constexpr milliseconds look_again{20};
   std::array<pollfd, 2> pipes{pollfd{descriptor, event, 0}, pollfd{output.number(), POLLIN, 0}};
   auto left = std::chrono::ceil<milliseconds>(deadline - Clock::now());
-  if (left.count() <= 0) {
-    if (idle()) {
+  if (left.count() <= 0 || too_old()) {
+    if (too_old() || idle()) {
       late = true;
       return false;
     }

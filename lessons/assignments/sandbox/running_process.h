@@ -41,9 +41,8 @@ struct RunningProcess {
   /// program that computes puts off. Keeps what the program prints meanwhile.
   bool ready(int descriptor, short event, Clock::time_point& deadline);
   void keep_output();
-  /// Whether nothing was computed since the last time, or the program had all the patience there
-  /// is.
-  bool idle();
+  bool idle();  // nothing was computed since the last time
+  bool too_old() const;
   bool given_up() const { return late || loud; }
   bool has_ended();
 

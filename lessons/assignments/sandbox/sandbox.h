@@ -19,7 +19,7 @@ namespace scanlit::sandbox {
 /// What a program may use. At the limit it is refused more, or killed.
 struct Limits {
   double cpu_seconds = 10;   // of processor time, each process
-  double wall_seconds = 60;  // of a run or an answer in which nothing is computed; else 10 times
+  double wall_seconds = 60;  // of a run or an answer in which nothing is computed; 10 times, of all
   std::uint64_t memory_bytes = 512 << 20;  // each process; with cgroups all of them together
   std::uint64_t output_bytes = 1 << 20;    // kept of what it prints; 16 times as much ends it
   std::uint64_t file_bytes = 64 << 20;     // each file that it writes

@@ -12,9 +12,9 @@ namespace scanlit::sandbox {
 /// whose user namespace maps only that many have it.
 constexpr uid_t first_user = 60600, user_count = 500;
 
-/// One of these numbers, nobody else's on this machine while it lives. Judges that see one another's
-/// processes have to see the same /run/scanlit, where numbers are locked: a judge in a chroot of its
-/// own would kill what another one runs.
+/// One of these numbers, nobody else's on this machine while it lives. Judges that see one
+/// another's processes have to see the same /run/scanlit, where numbers are locked: a judge in a
+/// chroot of its own would kill what another one runs.
 class UserLease {
  public:
   /// Takes the first free one, and kills what a judge that died has left of it. Throws Error where
