@@ -62,6 +62,10 @@ class MetalFresnel {
   static T compressed(const T& c) {
     return T(1.3) * c / (c + T(0.3));
   }
+  /// c once: the bounds are sharper.
+  static Bounded compressed(const Bounded& c) {
+    return Bounded(1.3) - Bounded(0.39) / (c + Bounded(0.3));
+  }
 
   Polynomial<size> red_, green_, blue_;
 };

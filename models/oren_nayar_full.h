@@ -44,13 +44,16 @@ struct OrenNayarFull {
     const T cos_phi = min(max(sines_cos_phi / max(sin_a * sin_b, T(1e-20)), T(-1)), one);
 
     // Each tangent times N.L, which keeps them finite. tan((A + B) / 2) is
-    // (sin A + sin B) / (cos A + cos B), and sin B cos phi is sines_cos_phi / sin A.
-    const T n_l_tan_b = c.n_l / cos_b.cos * sin_b;
+    // (sin A + sin B) / (cos A + cos B), and sin A sin B cos phi is known: cos phi alone, which
+    // jumps where L or V is the normal, only weighs what is small there.
+    const T n_l_over_b = c.n_l / cos_b.cos;
     const T n_l_tan_mean = c.n_l / (cos_a.cos + cos_b.cos) * (sin_a + sin_b);
-    const T c2 = T(P(0.45) * steep) * (sin_a - select(cos_phi < zero, b * b * b, zero));
+    const T forward = sin_b * (b * b * b) * max(-cos_phi, zero);
+    const T c2(P(0.45) * steep);
     const T c3 = T(P(0.125) * steep) * (a * b * a * b);
 
-    const T once = c1 * c.n_l + cos_phi * c2 * n_l_tan_b + (one - abs(cos_phi)) * c3 * n_l_tan_mean;
+    const T once = c1 * c.n_l + c2 * n_l_over_b * (sines_cos_phi + forward) +
+                   (one - abs(cos_phi)) * c3 * n_l_tan_mean;
     const T twice = second_bounce * c.n_l * (one - cos_phi * b * b);
     return {.diffuse = above_zero(rho * once + rho * (rho * twice)), .glossy = {}};
   }

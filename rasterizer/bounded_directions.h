@@ -17,8 +17,8 @@ inline namespace HWY_NAMESPACE {
 struct BoundedVector {
   Vec3<Batch> centre;
   Batch radius;          // |X - centre|, at most
-  Vec3<Batch> velocity;  // X' is s times this, 0 <= s <= 1, ...
-  Batch unsteadiness;    // ... and at most so much more
+  Vec3<Batch> velocity;  // X', ...
+  Batch unsteadiness;    // ... which is off by at most so much
   Batch acceleration;    // |X''|, at most
 };
 
@@ -29,10 +29,12 @@ inline BoundedVector towards(const Vec3<Batch>& end, const BoundedVector& from) 
 
 /// How fast a vector grows longer, and how fast it swings round; at most.
 struct Motion {
-  Batch length, least;  // of the centre; of X
-  Vec3<Batch> centre;   // unit
-  Batch sine;           // of the angle between X and the centre, at most
+  Batch length, least;   // of the centre; of X
+  Vec3<Batch> centre;    // unit
+  Batch sine;            // of the angle between X and the centre, at most
+  Vec3<Batch> sideways;  // the velocity across the centre
   Batch along, across;
+  Batch unsteadiness;  // of the velocity across X
 
   explicit Motion(const BoundedVector& x) : length(sqrt(dot(x.centre, x.centre))) {
     least = length - x.radius;
@@ -40,10 +42,12 @@ struct Motion {
     centre = x.centre * inverse;
     sine = x.radius * inverse;
     const Batch forward = dot(x.velocity, centre);
-    const Vec3<Batch> sideways = x.velocity - centre * forward;
+    sideways = x.velocity - centre * forward;
     const Batch side = sqrt(dot(sideways, sideways));
     along = abs(forward) + side * sine + x.unsteadiness;
     across = side + abs(forward) * sine + x.unsteadiness;
+    // Projected along X, not along the centre: a difference of at most the sine.
+    unsteadiness = (abs(forward) + side) * sine + x.unsteadiness;
   }
 
   /// Else X may point anywhere, or nearly so.
@@ -64,28 +68,65 @@ inline Bounded length(const BoundedVector& x) {
 struct BoundedDirection {
   Vec3<Batch> centre;                       // unit
   Batch reach = 0, speed = 0, turning = 0;  // |a - centre|, |a'|, |a''| across a: at most
+  Vec3<Batch> velocity{};                   // across the centre: a', ...
+  Batch unsteadiness = 0;                   // ... which is off by at most so much
+
+  Batch bend() const { return mul_add(speed, speed, turning); }  // |a''|, at most
 };
 
 inline BoundedDirection direction(const BoundedVector& x) {
   const Motion motion(x);
   const Batch inverse = Batch(1) / motion.least, nan = std::numeric_limits<float>::quiet_NaN();
   const Batch speed = select(motion.has_direction(), motion.across * inverse, nan);
+  // Of 1 / |X| the centre's is taken: it is off by at most the sine times `inverse`.
+  const Batch stretched = sqrt(dot(motion.sideways, motion.sideways)) * motion.sine;
   return {.centre = motion.centre,
           // The chord of an angle of up to 30 degrees is at most 1.036 times its sine.
           .reach = Batch(1.04f) * motion.sine,
           .speed = speed,
-          .turning = (x.acceleration + Batch(2) * motion.along * speed) * inverse};
+          .turning = (x.acceleration + Batch(2) * motion.along * speed) * inverse,
+          .velocity = motion.sideways * (Batch(1) / motion.length),
+          .unsteadiness = (motion.unsteadiness + stretched) * inverse};
 }
 
 /// L + V.
 inline BoundedVector sum(const BoundedDirection& a, const BoundedDirection& b) {
-  const Batch bend_a = a.turning + a.speed * a.speed, bend_b = b.turning + b.speed * b.speed;
   return {.centre = a.centre + b.centre,
           .radius = a.reach + b.reach,
-          .velocity = {Batch(0), Batch(0), Batch(0)},
-          .unsteadiness = a.speed + b.speed,
-          .acceleration = bend_a + bend_b};
+          .velocity = a.velocity + b.velocity,
+          .unsteadiness = a.unsteadiness + b.unsteadiness,
+          .acceleration = a.bend() + b.bend()};
 }
+
+/// (a.b)' and (a.b)'', at most. Neither of a' and a has a part along the other: a'.b is that of a'
+/// across a, times the sine of the angle. With V, W the velocities, off by u and w at most,
+///
+///   |a'.b + a.b'| <= |V.b0 + a0.W| + (|V| + |W|) (reaches) + (u + w) sine
+///   a'' = turning - |a'|^2 a, and so (a.b)'' = turnings' sine + 2 a'.b' - (|a'|^2 + |b'|^2) cos
+///
+/// where V, W and the cosine's middle give the last two terms but for what they are off.
+struct CosineChange {
+  Batch slope, curvature;
+
+  CosineChange(const BoundedDirection& a, const BoundedDirection& b, const Batch& sine,
+               const Batch& lo, const Batch& hi) {
+    const Vec3<Batch>&v = a.velocity, &w = b.velocity;
+    const Batch v2 = dot(v, v), w2 = dot(w, w), fast = sqrt(v2), fast_w = sqrt(w2);
+    const Batch u = a.unsteadiness, u_w = b.unsteadiness, half(0.5f), two(2);
+    const Batch reach = a.reach + b.reach + Batch(2e-6f);
+    const Batch directed = abs(dot(v, b.centre) + dot(a.centre, w)) + (fast + fast_w) * reach;
+    slope = min(mul_add(u + u_w, sine, directed), (a.speed + b.speed) * sine) +
+            Batch(0) * (a.speed + b.speed);
+
+    const Batch steepest = min(Batch(1), max(abs(lo), abs(hi)));
+    const Batch middle = two * dot(v, w) - (v2 + w2) * half * (lo + hi);
+    const Batch off = two * (fast * u_w + fast_w * u + u * u_w) +
+                      (u * (two * fast + u) + u_w * (two * fast_w + u_w)) * steepest;
+    const Batch known = abs(middle) + (v2 + w2) * half * (hi - lo) + off;
+    const Batch any = two * a.speed * b.speed + (a.speed * a.speed + b.speed * b.speed) * steepest;
+    curvature = (a.turning + b.turning) * sine + min(known, any) + Batch(0) * any;
+  }
+};
 
 /// Of the angle between two directions. The centres enclose theta, and each direction deviates from
 /// its centre by an angle of at most 1.05 times its reach (for a reach of up to 1): the cosine lies
@@ -100,11 +141,8 @@ inline Cosine<Bounded> cosine(const BoundedDirection& a, const BoundedDirection&
   const Batch hi = cos + room + max(-cos, Batch(0)) * bulge + rounding;
 
   const Batch one(1), near = max(apart - reach, Batch(0)), far = apart + reach;
-  const Batch sine = min(one, sin + spread + rounding);
-  const Batch steepest = min(one, max(abs(lo), abs(hi)));
-  const Batch slope = (a.speed + b.speed) * sine;
-  const Batch curvature = (a.turning + b.turning) * sine + Batch(2) * a.speed * b.speed +
-                          (a.speed * a.speed + b.speed * b.speed) * steepest;
+  const CosineChange change(a, b, min(one, sin + spread + rounding), max(lo, -one), min(hi, one));
+  const Batch slope = change.slope, curvature = change.curvature;
   const auto wide = reach > one;
   // Near 0 the square of the chord is the sharper bound of the versine.
   const Bounded u(Batch(0.5f) * near * near * Batch(1 - 2e-6f),

@@ -23,11 +23,21 @@ Batch missed(const Bounded& part, const Horizon& horizon, float h) {
   return select(horizon.crossed > Batch(0), across, missed_by(part, h)) + horizon.jump;
 }
 
-/// One part of what a light adds to one channel.
-void add_part(const Bounded& part, const Horizon& horizon, int channel, Misses& sum) {
+/// One part of what a light adds to one channel; no horizon: the light does not set.
+void add_part(const Bounded& part, const Horizon* horizon, int channel, Misses& sum) {
   sum.least[channel] += max(part.lo, Batch(0));
-  for (int s = 0; s < stride_count; ++s)
-    sum.missed[s][channel] += missed(part, horizon, float(strides[s]));
+#pragma GCC unroll 4
+  for (int s = 0; s < stride_count; ++s) {
+    const float h = float(strides[s]);
+    sum.missed[s][channel] += horizon ? missed(part, *horizon, h) : missed_by(part, h);
+  }
+}
+
+/// s x, s >= 0.
+Bounded scaled(const Bounded& x, float s) {
+  const Batch by(s);
+  return Bounded::rounded_outwards(x.lo * by, x.hi * by, Bounded::padding, x.slope * by,
+                                   x.curvature * by);
 }
 
 /// What the formula says where the light sets: of the parts there, and of how fast they grow with
@@ -103,20 +113,26 @@ bool add_light(const ReflectionModel& model, const LightSource& light, const Scr
   if (!model.bounds(in, reflection)) return false;
   Setting setting;
   if (!none(crossed)) setting.find(model, c);
+  const auto where_crossed = [&](const Batch& x) {
+    return group.largest(select(crossed, x, Batch(0)));
+  };
+  Horizon edge{};
+  const bool sets = !none(crossed);
+  if (sets) edge.crossed = where_crossed(Batch(1));
   const auto add = [&](const Bounded& part, const Bounded& there, const Bounded& growing,
                        float tint, int channel) {
-    const Bounded weight = share * Bounded(tint), none(0);
-    Bounded weighted = part * weight;
+    // What a model has not costs nothing.
+    const auto nothing = (part.magnitude() <= Batch(1e-30f)) & (part.slope >= Batch(0));
+    if (bits_of(nothing) == (1u << Batch::lanes) - 1) return;
+    Bounded weighted = scaled(light.far ? part : part * share, tint);
     weighted.lo = select(horizon, Batch(0), weighted.lo);
-    const auto where_crossed = [&](const Batch& x) {
-      return group.largest(select(crossed, x, Batch(0)));
-    };
-    const Batch jump = there.magnitude() * weight.hi + Batch(0) * there.slope;
-    add_part(group.of_triangle(pick(dark, none, weighted)),
-             {.crossed = where_crossed(Batch(1)),
-              .jump = where_crossed(jump),
-              .rise = where_crossed(growing.slope * weight.hi * c.n_l.curvature)},
-             channel, sum);
+    if (sets) {
+      const Batch weight = share.hi * Batch(Bounded::rounding_slack * tint);
+      edge.jump = where_crossed(there.magnitude() * weight + Batch(0) * there.slope);
+      edge.rise = where_crossed(growing.slope * weight * c.n_l.curvature);
+    }
+    add_part(group.of_triangle(pick(dark, Bounded(0), weighted)), sets ? &edge : nullptr, channel,
+             sum);
   };
   const Reflection<Bounded>&here = reflection.value, &there = setting.there.value,
         &growing = setting.growing.value;

@@ -62,10 +62,11 @@ void ScreenGroup::put_rectangle(const DrawnTriangle& drawn, const Rect& r, int l
 /// n/d: a' = (n' - (a - centre) d') / d and a'' = -2 a' d' / d.
 BoundedVector ScreenGroup::attribute(const Vec3<Batch> (&corner)[3]) const {
   Vec3<Batch> cell[4];
-  Batch greatest_w = 0, shares = 0;
+  Batch greatest_w = 0, least_w = Bounded::no_limit, shares = 0;
   for (int i = 0; i < 4; ++i) {
     cell[i] = at_corner(i, corner[0], corner[1], corner[2]);
-    greatest_w = max(greatest_w, at_corner<Batch>(i, w[0], w[1], w[2]));
+    const Batch w_there = at_corner<Batch>(i, w[0], w[1], w[2]);
+    greatest_w = max(greatest_w, w_there), least_w = min(least_w, w_there);
     shares =
         max(shares, abs(Batch(share[i][0])) + abs(Batch(share[i][1])) + abs(Batch(share[i][2])));
   }
@@ -73,6 +74,7 @@ BoundedVector ScreenGroup::attribute(const Vec3<Batch> (&corner)[3]) const {
   // The engine's own numbers are rounded, too: it sees the attribute jitter by so much.
   const Batch rounding = Batch(5e-7f) * shares * (abs(centre.x) + abs(centre.y) + abs(centre.z));
   const Batch inverse = greatest_w;  // 1 / d, at most
+  const Batch middle = Batch(0.5f) * (least_w + greatest_w), off = greatest_w - middle;
   Vec3<Batch> growth{Batch(0), Batch(0), Batch(0)};
   Batch radius2 = 0, change = 0, changes = 0;
   for (const Vec3<Batch>& c : cell) radius2 = max(radius2, dot(c - centre, c - centre));
@@ -81,10 +83,11 @@ BoundedVector ScreenGroup::attribute(const Vec3<Batch> (&corner)[3]) const {
     change += step[k], changes += abs(Batch(step[k]));
   }
   const Batch turn = abs(change) * inverse, radius = sqrt(radius2) + rounding;
-  const Vec3<Batch> velocity = growth * inverse;
-  const Batch unsteadiness = mul_add(radius, turn, rounding * changes * inverse);
-  const Batch speed = sqrt(dot(velocity, velocity)) + unsteadiness;
-  return {centre, radius, velocity, unsteadiness, Batch(2) * speed * turn};
+  const Batch fast = sqrt(dot(growth, growth));
+  const Batch unsteadiness =
+      mul_add(fast, off, mul_add(radius, turn, rounding * changes * inverse));
+  const Batch speed = mul_add(fast, middle, unsteadiness);
+  return {centre, radius, growth * middle, unsteadiness, Batch(2) * speed * turn};
 }
 
 Batch ScreenGroup::largest(Batch a) const {

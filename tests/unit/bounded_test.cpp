@@ -10,6 +10,7 @@
 #include <string>
 
 #include "models/microfacet/error_function.h"
+#include "models/polynomial.h"
 #include "rasterizer/bounded_functions.h"
 #include "rasterizer/scalar_math.h"
 #include "tests/unit/batch_lanes.h"
@@ -180,6 +181,9 @@ TEST(Bounded, HoldsWhatFunctionsGive) {
       "asin", [](auto x, auto) { return asin(x); }, -.99, .99);
   check_smooth(
       "acos", [](auto x, auto) { return acos(x); }, -.99, .99);
+  const models::Polynomial<5> cancelling{1, -4, 6, -4, 1};  // (1 - x)^4
+  check_smooth(
+      "polynomial", [&](auto x, auto) { return models::value_at(x, cancelling); }, -.5, 2);
   check_smooth(
       "erfc", [](auto x, auto) { return erfc(x); }, 0, 5);
   check(
@@ -224,6 +228,14 @@ TEST(Bounded, IsSharpOverAShortWay) {
   EXPECT_LT(lanes_of(f.curvature)[0], 1.1 * exact);
   EXPECT_GT(lanes_of(f.curvature)[0], exact);
   EXPECT_NEAR(lanes_of(missed_by(f, 1))[0], exact / 8, .1 * exact / 8);
+}
+
+TEST(Bounded, IsSharpOfPolynomialsWhoseTermsCancel) {
+  Path x[Batch::lanes];
+  std::fill_n(x, Batch::lanes, Path{.8, .02, 0});
+  const Bounded f = models::value_at(bounded(x), models::Polynomial<5>{1, -4, 6, -4, 1});
+  EXPECT_LT(lanes_of(f.slope)[0], 1.1 * 4 * std::pow(.2, 3) * .02);
+  EXPECT_LT(lanes_of(f.curvature)[0], 1.1 * 12 * std::pow(.2, 2) * .02 * .02);
 }
 
 TEST(Bounded, WhatIsNotKnownStaysUnknown) {

@@ -153,6 +153,38 @@ TEST(ModelBounds, AreUnknownWhereTangentsMatter) {
   EXPECT_FALSE(models::make("sum:(lambert),(ward)").model->bounds(in, out));
 }
 
+// Sharper than what a model makes of it: of each term of the bounds something would be missed.
+TEST(BoundedCosine, HoldsHowFastTheAngleChanges) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int round = 0; round < 5000; ++round) {
+    std::vector<MovingVector> a, b;
+    for (int i = 0; i < Batch::lanes; ++i) {
+      const Motion3 m = random_motion(random);
+      a.push_back(m.n), b.push_back(m.l);
+      // Also where both move alike, where one stands, and straight across the plane of both.
+      if (i % 4 == 0) b.back().velocity = a.back().velocity;
+      if (i % 4 == 1) b.back().velocity = glm::dvec3(0);
+      if (i % 4 == 2)
+        a.back().velocity = glm::length(a.back().velocity) *
+                            glm::normalize(glm::cross(a.back().centre, b.back().centre));
+    }
+    const Bounded bounds = cosine(direction(bounded(a)), direction(bounded(b))).cos;
+    const auto slope = lanes_of(bounds.slope), curvature = lanes_of(bounds.curvature);
+    const double t = -1 + 2 * unit(random), h = 1e-3;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      if (std::isnan(slope[i])) continue;
+      const auto at = [&](double time) {
+        return glm::dot(a[i].direction(time), b[i].direction(time));
+      };
+      const double before = at(t - h), here = at(t), after = at(t + h);
+      const double slack = double(Bounded::rounding_slack);
+      ASSERT_LE(std::abs(after - before) / (2 * h), double(slope[i]) * slack + 1e-12);
+      ASSERT_LE(std::abs(before - 2 * here + after) / (h * h), double(curvature[i]) * slack + 1e-9);
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, ModelBounds, testing::ValuesIn(all_names()), word);
 
 }  // namespace
