@@ -20,6 +20,7 @@ struct ColourTarget {
   std::size_t first_pixel = 0;                       // the pixel that is first there, y * width + x
   std::size_t first_in_planes = 0;                   // and in the other planes of the framebuffer
   ColourFormat format = ColourFormat::linear_float;  // of codes
+  bool near = false;                                 // codes may be off by near_codes
 
   /// Where a pixel of a FragmentSpan begins in `linear` or `codes`.
   std::size_t element(std::uint32_t packed_pixel) const {
@@ -30,19 +31,25 @@ struct ColourTarget {
 /// The encoding of IEC 61966-2-1, from linear light 0..1. Maximum error: 5e-7.
 Batch srgb_from_linear(const Batch& x);
 
-/// The same codes as EightBitEncoder's, to the last float. NaN becomes 0.
+/// By how much a code may be off, before it is rounded, where RenderSettings::tolerance allows it.
+constexpr double near_codes = 0.03;
+
+/// The same codes as EightBitEncoder's, to the last float; or near ones, in half the time. NaN
+/// becomes 0.
 class PixelEncoder {
  public:
   /// Of an 8-bit format.
-  explicit PixelEncoder(ColourFormat format);
+  explicit PixelEncoder(ColourFormat format, bool near = false);
 
   using Tag = hn::RebindToUnsigned<Batch::Tag>;
   /// R in the lowest 8 bits, then G, B, and alpha 255.
   hn::Vec<Tag> opaque(const Batch& r, const Batch& g, const Batch& b) const {
     const Rgb<Batch> linear{clamped(r), clamped(g), clamped(b)};
-    const Rgb<Batch> scaled = srgb_ ? srgb_codes(linear) : linear * Batch(255);
+    const Rgb<Batch> scaled = !srgb_  ? linear * Batch(255)
+                              : near_ ? near_srgb_codes(linear)
+                                      : srgb_codes(linear);
     const Rounded red(scaled.r), green(scaled.g), blue(scaled.b);
-    if (!none(max(max(red.off, green.off), blue.off) > limit_)) return exact(linear);
+    if (!near_ && !none(max(max(red.off, green.off), blue.off) > limit_)) return exact(linear);
     return packed(red.code, green.code, blue.code);
   }
   /// RGBA pixels to as many bytes; alpha is linear.
@@ -68,12 +75,14 @@ class PixelEncoder {
     const auto high = hn::Or(hn::ShiftLeft<16>(b), hn::Set(Tag(), 0xff000000u));
     return hn::Or(hn::Or(r, hn::ShiftLeft<8>(g)), high);
   }
-  static Rgb<Batch> srgb_codes(const Rgb<Batch>& linear);  // 0..255, not rounded
+  // 0..255, not rounded.
+  static Rgb<Batch> srgb_codes(const Rgb<Batch>& linear);
+  static Rgb<Batch> near_srgb_codes(const Rgb<Batch>& linear);
   hn::Vec<Tag> exact(const Rgb<Batch>& linear) const;
 
   const EightBitEncoder& colour_;
   const EightBitEncoder& alpha_;
-  bool srgb_;
+  bool srgb_, near_;
   Batch limit_;  // so far off, rounding errors may decide between two codes
 };
 

@@ -155,8 +155,11 @@ class Resolver {
     StripStrides& strip = strips_[id];
     if (y >= strip.y_end) strip = strides_in(frame_, drawn, visibility_.rect, y);
     const int column = (x - strip.x_begin) / strip.width, stride = strip.stride[column];
-    int until = column;
-    while (strip.x_begin + until * strip.width < end && strip.stride[until] == stride) ++until;
+    int until = column + 1;
+    // From within a column no stride may lead into the next.
+    const bool whole = (x - strip.x_begin) % strip.width == 0;
+    while (whole && strip.x_begin + until * strip.width < end && strip.stride[until] == stride)
+      ++until;
     until = std::min(end, strip.x_begin + until * strip.width);
     return {until - x > 3 ? stride : 1, until};
   }

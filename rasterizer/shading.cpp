@@ -163,7 +163,7 @@ void SpanShader::write(const FragmentSpan& span, const ColourTarget& target) con
 
 /// Where some runs were not shaded at every pixel.
 void SpanShader::write_runs(const FragmentSpan& span, const ColourTarget& target) const {
-  const PixelEncoder encoder(target.codes ? target.format : ColourFormat::linear_8bit);
+  const PixelEncoder encoder(target.codes ? target.format : ColourFormat::linear_8bit, target.near);
   // `count` pixels of a row, at most a vector.
   const auto put = [&](std::uint32_t pixel, int count, const Rgb<Batch>& colour) {
     if (target.codes) {
@@ -218,7 +218,7 @@ void SpanShader::write_linear(const FragmentSpan& span, int first, int count,
 }
 
 void SpanShader::write_codes(const FragmentSpan& span, const ColourTarget& target) const {
-  const PixelEncoder encoder(target.format);
+  const PixelEncoder encoder(target.format, target.near);
   const PixelEncoder::Tag tag;
   for (int i = 0; i < span.size; i += Batch::lanes) {
     const auto channel = [&](int c) { return Batch::load(lit_.colour[c] + i); };

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "rasterizer/light_misses.h"
+#include "rasterizer/pixel_codes.h"
 #include "rasterizer/span_math.h"
 
 namespace scanlit {
@@ -35,7 +36,7 @@ namespace {
 
 /// By how much a colour that is at least `least` may be off.
 Batch allowed(const Frame& frame, const Batch& least) {
-  const Batch codes = Batch((frame.settings.tolerance - rounding_codes) / 255);
+  const Batch codes = Batch((frame.settings.tolerance - rounding_codes - near_codes) / 255);
   if (frame.format == ColourFormat::linear_8bit) return codes;
   // 1 over the slope of sRGB's encoding, IEC 61966-2-1: 12.92, or that of 1.055 c^(1/2.4).
   const Batch power = exp(Batch(1 - 1 / 2.4) * log(max(least, Batch(0.003f))));
@@ -62,8 +63,14 @@ Batch strides_of(const Frame& frame, const Draw& draw, const ScreenGroup& group)
   sum.least[0] = ambient.r, sum.least[1] = ambient.g, sum.least[2] = ambient.b;
   for (auto& of_stride : sum.missed)
     for (Batch& channel : of_stride) channel = Batch(0);
-  for (const LightSource& light : illumination.lights)
+  // Most that fail do so after a few lights.
+  const Batch hopeless = allowed(frame, Batch(1));
+  for (const LightSource& light : illumination.lights) {
     if (!add_light(*draw.object->material.model, light, group, n, v, p, sum)) return Batch(1);
+    const auto& missed = sum.missed[0];
+    if (none((missed[0] <= hopeless) & (missed[1] <= hopeless) & (missed[2] <= hopeless)))
+      return Batch(1);
+  }
 
   Batch stride(1);
   for (int s = 0; s < stride_count; ++s) {
@@ -145,7 +152,7 @@ void find_columns(const Frame& frame, const DrawnTriangle& drawn, const Rect& ro
     group.put(frame, drawn, lane);
     group.put_rectangle(
         drawn,
-        {x * subpixel, rows.y_begin * subpixel, (x + width) * subpixel, rows.y_end * subpixel},
+        {x * subpixel, rows.y_begin * subpixel, (x + width + 1) * subpixel, rows.y_end * subpixel},
         lane);
   }
   Lanes result;
@@ -155,10 +162,13 @@ void find_columns(const Frame& frame, const DrawnTriangle& drawn, const Rect& ro
 
 }  // namespace
 
+bool may_be_near(const Frame& frame) {
+  return frame.settings.tolerance > rounding_codes + near_codes && frame.colour_alone;
+}
+
 bool may_stride(const Frame& frame, const Draw& draw) {
-  return frame.settings.tolerance > rounding_codes && frame.colour_alone &&
-         draw.object->shading == Shading::phong && !draw.illumination.constant &&
-         draw.object->material.ambient_share == 0;
+  return may_be_near(frame) && draw.object->shading == Shading::phong &&
+         !draw.illumination.constant && draw.object->material.ambient_share == 0;
 }
 
 StripStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& tile, int y) {
@@ -167,9 +177,12 @@ StripStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Re
   const int bottom = std::max({v[0].y, v[1].y, v[2].y});
   Rect box = intersection(tile, {left / subpixel, y, right / subpixel + 1, bottom / subpixel + 1});
   const int size = box.x_end - box.x_begin;
+  // Of whole strides: what is known of each of two columns says nothing of a line from one to the
+  // other. It may end at the first pixel of the next.
+  const int strides_in_column = (size - 1) / (Batch::lanes * max_stride) + 1;
   StripStrides strip{.y_end = tile.y_end,
                      .x_begin = box.x_begin,
-                     .width = (size + Batch::lanes - 1) / Batch::lanes,
+                     .width = strides_in_column * max_stride,
                      .stride = {}};
   std::ranges::fill(strip.stride, std::uint8_t(1));
   if (drawn.piece != DrawnTriangle::not_cut) return strip;

@@ -15,26 +15,43 @@
 // codes above c, T is concave, hence a mixture of errors within E codes is within E codes itself.
 //
 // Assumed is that Batch evaluates f to within `rounding` of a code at each of the three pixels: the
-// tests hold every model to less.
+// tests hold every model to less. And the same budget pays for codes that are only near_codes right
+// (pixel_codes.h), of all pixels, interpolated or not: of what is left of a frame under one light
+// a third were the powers of sRGB's encoding.
 //
 // Bounds are dear: those of a vector of triangles under one light take about as long as lighting 80
 // vectors of pixels. So a few triangles of each chunk are tried, and where little is spared nothing
 // else is bounded. The frame alone decides that, not who draws which tile.
 //
 // How many times faster frames are with E = 1 than with 0, and would be were shading free
-// (tests/bench/run tolerance; AVX-512, one thread):
+// (tests/bench/run tolerance; AVX-512, one thread); which share of the pixels is lit; and which
+// would be with the best stride for each 32 pixels of a row:
 //
-//   S6 1.75 of 24   R5 2.1 of 89   R6 1.4 of 18    R0 1.2 of 11    S2 1.1 of 1.8   R8 1.0 of 2.1
-//   R3 .99 of 17    R4 1.0 of 5    S3 1.0 of 2.5   R2 1.0 of 2.3   R7 1.0 of 2.3
+//        ratio  free  lit  best         ratio  free  lit  best         ratio  free  lit  best
+//   R5    2.7    25   .21   .12    S2    1.24  2.0   .26   .11    R7    1.03  2.9  1.00   .13
+//   S6    2.0   8.6   .33   .12    R2    1.11  1.8   .84   .12    S3    1.03  2.2   .65   .10
+//   R0    1.74  3.2   .21   .12    R1    1.11  1.7  1.00   .11    S5F   1.04  1.3   .16
+//   R6    1.57   24   .57   .12    R4    1.09  8.2   .91   .21    R9    1.05  1.6  1.00   .32
+//   R8    1.25  3.1   .47   .19    R3    1.04  5.6  1.00   .42    S8P   1.00  1.3  1.00   .18
 //
-// and the others 1.0 of 1.1 to 1.5. Where shading is more than half of the frame that is 1.2 in the
-// geometric mean, not yet the 1.5 that is wanted. Straight lines could do it: with the best stride
-// for each 32 pixels of a row .10 to .21 of these scenes' pixels need be lit (R9 .32, R3 .42). What
-// is missing is a cheap proof where triangles are small. Tried and not kept: bounds over 32 pixels
-// of a row and several rows below, whatever their triangles, with the bends of N, V and P measured
-// pixel by pixel. Then .44 (R5) to .99 (R3) of the pixels are lit, and only R5 and R6 get faster: a
-// cone that serves so many pixels holds a lobe or a horizon of some light. Not tried: to bound many
-// lights as one, and to leave out lobes whose bound is below their share.
+// Where shading is more than half of the frame that is 1.39 in the geometric mean, not yet the 1.5
+// that is wanted. What is missing is a cheap proof where a triangle is small or its lobe sharp: a
+// bound takes as long as lighting 80 pixels, hence a cell must have some 250; on a sphere of 400
+// pixels a cell of 16 by 16 holds normals that lie .04 rad apart, over which the bounds of a
+// lobe's curvature are 20 times what it is (Blinn-Phong's of n = 32 3 times), over .16 rad 300
+// times. What would help: intervals of the first and second derivative in place of their size, so
+// that (e^x)'' = e^x (x'^2 + x'') may cancel. Tried and not kept:
+//
+//   32 pixels of a row and rows below, whatever their triangles, with the bends of N, V and P
+//   measured pixel by pixel: .44 (R5) to .99 (R3) lit; such a cone holds a lobe of some light
+//   rectangles of large triangles lit on a lattice: .03 of R5's cube in place of .09, but bounds in
+//   all directions cost what that saves
+//   bounds of tangents (half of R6 and a seventh of R4 are Ashikhmin-Shirley's): its lobe's
+//   curvature comes out 2,500 times too large, and 25 to 130 times where the exponent is not left
+//   an interval of its own; R6 lights as many pixels as without
+//
+// Not tried: many lights bounded as one; fine meshes evaluated at vertices (of R7's pixels one in
+// ten; the bounds of 64 triangles at a time would cost a quarter of the frame).
 #pragma once
 
 #include "rasterizer/pipeline.h"
@@ -43,6 +60,9 @@ namespace scanlit {
 
 constexpr double rounding_codes = 0.1;  // of all three, together
 constexpr int max_stride = 16;
+
+/// Whether codes need only be near (pixel_codes.h).
+bool may_be_near(const Frame& frame);
 
 /// Whether an object's fragments may be shaded so at all: per fragment, in colours alone.
 bool may_stride(const Frame& frame, const Draw& draw);

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cstring>
 
+#include "rasterizer/strides.h"
+
 namespace scanlit {
 
 namespace {
@@ -42,7 +44,8 @@ ColourTarget TileColours::begin(const Frame& frame, const Rect& tile, const Rect
   const auto size = 4 * width * std::size_t(tile.y_end - tile.y_begin);
   target_ = {.width = width,
              .first_pixel = index_of_pixel(packed_pixel(tile.x_begin, tile.y_begin), width),
-             .format = f.format};
+             .format = f.format,
+             .near = may_be_near(frame)};
   const bool sums = frame.settings.samples > 1;
   if (floats_) {
     target_ = {.linear = f.colour.data(), .width = std::size_t(f.width)};

@@ -61,6 +61,28 @@ TEST(PixelCodes, EncodingKeepsToItsError) {
   }
 }
 
+double exact_code(ColourFormat format, double x) {
+  if (format == ColourFormat::linear_8bit) return 255 * x;
+  return 255 * (x <= .0031308 ? 12.92 * x : 1.055 * std::pow(x, 1 / 2.4) - .055);
+}
+
+TEST(PixelCodes, NearOnesAreNear) {
+  for (const ColourFormat format : formats) {
+    const PixelEncoder encoder(format, true);
+    double furthest = 0;
+    for (int i = 0; i <= 400000; ++i) {
+      const float x = float(std::pow(i / 400000.0, 3));
+      std::uint32_t pixels[Batch::lanes];
+      hn::StoreU(encoder.opaque(Batch(x), Batch(0), Batch(x)), PixelEncoder::Tag(), pixels);
+      const double off = std::abs(double(pixels[0] & 255) - exact_code(format, double(x))) - .5;
+      furthest = std::max(furthest, off);
+      ASSERT_EQ(pixels[0] & 255, pixels[0] >> 16 & 255);
+      ASSERT_EQ(pixels[0] & 0xff00ff00u, 0xff000000u);
+    }
+    EXPECT_LE(furthest, near_codes);
+  }
+}
+
 TEST(PixelCodes, AreTheEncodersNextToEveryThreshold) {
   for (const ColourFormat format : formats) {
     const EightBitEncoder encoder = encoder_of(format);

@@ -192,6 +192,33 @@ TEST(Tolerance, HoldsInTheOneChannelThatIsLit) {
   }
 }
 
+// A line from a column of a strip to the next would be bounded by neither: not where one is
+// straight and the other dark but for its first pixels.
+TEST(Tolerance, HoldsWhereALightSetsInALargeTriangle) {
+  double evaluated = 0;
+  for (int i = 0; i < 150; ++i) {
+    const auto mesh = std::make_shared<Mesh>(make_shape("plane"));
+    for (std::size_t k = 0; k < mesh->normals.size(); ++k) {
+      const float x = mesh->positions[k].x, offset = 2e-4f * float(i - 75);
+      mesh->normals[k] = glm::normalize(glm::vec3(0.02f * x + offset, 0, 1));
+    }
+    Object object;
+    object.mesh = mesh;
+    object.material.model = models::make("lambert").model;
+    object.material.ka = Rgb<double>(0);
+    Written written{.scene = {}, .camera = {.eye = {0, 0, 2.2}}, .model = ""};
+    written.scene.objects.push_back(object);
+    written.scene.lights = {{.intensity = i % 3 == 0   ? .3
+                                          : i % 3 == 1 ? .6
+                                                       : 1.2,
+                             .direction = {1, 0, 0}}};
+    const Outcome outcome = compare(written, 1, 1);
+    EXPECT_LE(outcome.worst, 1) << i;
+    evaluated += outcome.evaluated / 150;
+  }
+  EXPECT_LT(evaluated, .5);
+}
+
 TEST(Tolerance, SparesEvaluationsAndIsTheSameForAnyThreads) {
   Framebuffer full(800, 600), one(800, 600), three(800, 600);
   const FrameStats all = render(lit_sphere(), {}, {.threads = 1}, full);
