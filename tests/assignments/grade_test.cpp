@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <fstream>
-#include <sstream>
+#include <nlohmann/json.hpp>
 
+#include "lessons/assignments/grade/json_text.h"
 #include "lessons/assignments/grade/leaderboard.h"
 #include "lessons/assignments/grade/run.h"
 #include "lessons/assignments/grade/writers.h"
@@ -152,29 +153,20 @@ TEST_F(Grading, RosterMarksAndLateDays) {
   EXPECT_THROW(read_marks(path("marks.toml"), job_.rubric), Error);
 }
 
-TEST(Leaderboard, IsOfRightProgramsAndApartFromVerdicts) {
-  const Assignment& a8 = assignment("A8");
+TEST(Leaderboard, HasTheLeastWorkFirst) {
   const studio::TemporaryFolder folder;
-  GradeJob job;
-  job.rubric = {.assignment = "A8",
-                .tests = {{.id = "A8.1", .part = "A8.1", .name = "Right", .points = 30}}};
-  job.results = folder.file("results");
-  const auto wrong = wrong_solutions(a8);
-  for (const auto& [name, text] : {std::pair{"more", wrong[2].text},  // nothing is left out
-                                   {"less", solution_text(a8)}}) {
-    job.submissions.push_back(fs::path(folder.file("submissions")) / name);
-    write(job.submissions.back() / a8.file, text);
-  }
-  const GradeRun run = run_grading(job);
-  const std::string board = leaderboard_csv(job.results, run.grades);
-  std::istringstream lines(board);
-  std::vector<std::string> rows;
-  for (std::string line; std::getline(lines, line);) rows.push_back(line);
-  ASSERT_EQ(rows.size(), 3u) << board;
-  EXPECT_EQ(rows[1].find("less,"), 0u);
-  EXPECT_EQ(rows[2].find("more,"), 0u);
-  const std::string result = studio::read_text(job.results / safe_name("less") / "result.json");
-  EXPECT_EQ(result.find("evaluations"), result.npos) << result;
+  std::vector<Grade> grades;
+  const auto hand_in = [&](const std::string& name, const std::string& times) {
+    grades.push_back({.submission = name, .folder = safe_name(name)});
+    write(fs::path(folder.file("")) / safe_name(name) / "times.json", times);
+  };
+  hand_in("more", "{\"A8.1\": 1, \"effort\": " + json_text(effort_json({3000, 7, 5, 0.5})) + "}");
+  hand_in("=less", "{\"effort\": " + json_text(effort_json({2000, 7, 0, 0.25})) + "}");
+  hand_in("wrong", "{\"A8.1\": 1}");
+  hand_in("damaged", "{\"effort\": ");
+  EXPECT_EQ(leaderboard_csv(folder.file(""), grades),
+            "Submission,Evaluations,Fragments,Instructions,Seconds\r\n"
+            "\"'=less\",2000,7,,0.25\r\nmore,3000,7,5,0.5\r\n");
 }
 
 TEST(LateFactor, LosesAShareADayAndThenAll) {

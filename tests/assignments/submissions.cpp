@@ -60,8 +60,7 @@ Verdict judge_by(const Rubric& rubric, const Assignment& assignment, const std::
   fs::create_directories(submission), fs::create_directories(scratch);
   std::ofstream(submission / assignment.file) << text;
   // An endless loop is found out sooner.
-  return judge(assignment, submission, rubric,
-               {.scratch = scratch, .limits = {.cpu_seconds = 2}, .effort = false});
+  return judge(assignment, submission, rubric, {.scratch = scratch, .limits = {.cpu_seconds = 2}});
 }
 
 }  // namespace

@@ -40,7 +40,13 @@ TEST_P(Verdicts, TheStarterBuildsWithoutAWarningAndScoresNothing) {
 TEST_P(Verdicts, TheSolutionScoresAll) {
   for (std::uint64_t seed = 1; seed <= (with_all() ? 12 : 1); ++seed) {
     SCOPED_TRACE("variant " + std::to_string(seed));
-    expect_points(judge_text(assignment_, solution_text(assignment_), seed), {});
+    const Verdict verdict = judge_text(assignment_, solution_text(assignment_), seed);
+    expect_points(verdict, {});
+    EXPECT_EQ(verdict.effort.has_value(), bool(assignment_.effort));
+    if (verdict.effort) {
+      EXPECT_GT(verdict.effort->evaluations, 0);
+      EXPECT_GT(verdict.effort->seconds, 0);
+    }
   }
 }
 

@@ -96,7 +96,7 @@ Verdict judge(const Assignment& assignment, const std::filesystem::path& submiss
       score.message = "not tried: your program ran out of time in three tests before";
     if (options.progress) options.progress(double(i + 1) / double(verdict.tests.size()));
   }
-  if (built.good && options.effort && assignment.effort)
+  if (built.good && assignment.effort)
     verdict.effort = measured_effort(assignment, rubric, sandbox);
   return verdict;
 }

@@ -16,7 +16,6 @@ struct JudgeOptions {
   sandbox::Limits build_limits{.cpu_seconds = 30, .memory_bytes = 1 << 30};
   sandbox::Limits limits{};                // of one process, which answers one test
   sandbox::Layers layers{};                // asked for; each must be available
-  bool effort = true;                      // is measured, where the assignment has it
   std::function<void(double)> progress{};  // called with 0..1
 };
 
