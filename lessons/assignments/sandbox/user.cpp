@@ -50,7 +50,7 @@ UserLease::UserLease() {
   // In many containers process 1 buries nobody.
   prctl(PR_SET_CHILD_SUBREAPER, 1);
   std::filesystem::create_directories(locks);
-  // From anywhere: a judge in another root does not see these locks.
+  // Not all from the first on: a judge in another root does not see these locks.
   const uid_t start = uid_t(getpid());
   for (uid_t i = 0; i < user_count; ++i) {
     const uid_t user = first_user + (start + i) % user_count;

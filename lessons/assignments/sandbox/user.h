@@ -13,11 +13,11 @@ namespace scanlit::sandbox {
 constexpr uid_t first_user = 60600, user_count = 500;
 
 /// One of these numbers, nobody else's on this machine while it lives. Judges that see one
-/// another's processes have to see the same /run/scanlit, where numbers are locked: a judge in a
-/// chroot of its own would kill what another one runs.
+/// another's processes should see the same /run/scanlit, where numbers are locked: a judge in a
+/// chroot of its own kills what another one runs, should both come upon the same number.
 class UserLease {
  public:
-  /// Takes the first free one, and kills what a judge that died has left of it. Throws Error where
+  /// Takes a free one, and kills what a judge that died has left of it. Throws Error where
   /// all are taken. Wants root.
   UserLease();
   ~UserLease() { kill_all(); }
