@@ -91,21 +91,22 @@ class Outline {
   Edge edges_[3];
 };
 
+}  // namespace
+
 float least_depth(const Rect& pixels, const VisibilityTile& tile) {
   Batch least(infinite);
-  for (int sample = 0; sample < tile.samples; ++sample)
-    for (int y = pixels.y_begin; y < pixels.y_end; ++y) {
-      const float* row = &tile.depth[tile.row(sample, y)] - tile.rect.x_begin;
-      for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
-        const Batch in_block = select(Batch::iota(float(x)) < Batch(float(pixels.x_end)),
-                                      Batch::load(row + x), infinite);
-        least = min(least, in_block);
-      }
+  for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
+    Batch in_columns(infinite);
+    for (int sample = 0; sample < tile.samples; ++sample) {
+      const float* depth = &tile.depth[tile.row(sample, pixels.y_begin)] + (x - tile.rect.x_begin);
+      for (int y = pixels.y_begin; y < pixels.y_end; ++y, depth += tile.stride)
+        in_columns = min(in_columns, Batch::load(depth));
     }
+    const auto in_block = Batch::iota(float(x)) < Batch(float(pixels.x_end));
+    least = min(least, select(in_block, in_columns, infinite));
+  }
   return hn::GetLane(hn::MinOfLanes(Batch::tag, least.raw));
 }
-
-}  // namespace
 
 void CoarseDepth::reset(const VisibilityTile& tile) {
   rect_ = tile.touched;

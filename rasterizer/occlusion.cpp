@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "rasterizer/batch.h"
+#include "rasterizer/coarse_depth.h"
 #include "rasterizer/triangle_culling.h"
 
 namespace scanlit {
@@ -39,16 +39,9 @@ void Occlusion::put(const VisibilityTile& tile) {
   for (int y = (in.y_begin + block_height - 1) / block_height * block_height;
        y + block_height <= in.y_end; y += block_height)
     for (int column = first_column; column < end_column; ++column) {
-      const int x = column * block_width - tile.rect.x_begin;
-      Batch least(1);
-      for (int sample = 0; sample < tile.samples; ++sample)
-        for (int row = y; row < y + block_height; ++row) {
-          const float* depth = &tile.depth[tile.row(sample, row) + std::size_t(x)];
-          for (int i = 0; i < block_width; i += Batch::lanes)
-            least = min(least, Batch::load(depth + i));
-        }
+      const int x = column * block_width;
       least_[std::size_t(y / block_height * columns_ + column)] =
-          hn::GetLane(hn::MinOfLanes(Batch::tag, least.raw));
+          least_depth({x, y, x + block_width, y + block_height}, tile);
     }
 }
 

@@ -151,6 +151,7 @@ void Renderer::State::find_hidden(Frame& frame) {
     if (chunk.draw->occluder) assemble(frame, chunk, workers.local().shader.stats);
   });
   occlusion.reset(frame);
+  frame.occlusion = &occlusion;
   parallel(std::size_t(frame.grid.count()), [&](std::size_t i) {
     Worker& worker = workers.local();
     const StageTimer timer(worker.shader.stats, Stage::scan_conversion);
@@ -160,7 +161,6 @@ void Renderer::State::find_hidden(Frame& frame) {
                                       [](TriangleId, const VisibleColumns*) {});
     occlusion.put(worker.visibility);
   });
-  frame.occlusion = &occlusion;
   parallel(frame.draws.size(), [&](std::size_t i) {
     Draw& draw = frame.draws[i];
     if (draw.outside || draw.occluder) return;

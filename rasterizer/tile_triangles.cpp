@@ -33,8 +33,10 @@ void TileTriangles::gather(const Frame& frame, int tile, VisibilityTile& visibil
   visibility.reset(rect, touched, frame.settings.samples);
 
   one_by_one_ = !skips.unseen_triangles || !skips.hidden_fragments;
-  // Boxes are about twice as large as their triangles: four times over is two layers.
-  deep_ = skips.hidden_triangles && pixels > 4 * area(touched);
+  // Boxes are about twice as large as their triangles: four times over is two layers. Large
+  // triangles are asked for in many blocks; where nothing is behind them any more (occlusion.h),
+  // that pays later.
+  deep_ = skips.hidden_triangles && pixels > (frame.occlusion ? 16 : 4) * area(touched);
   if (!deep_) return;
   coarse_.reset(visibility);
   std::ranges::stable_sort(parts_, std::ranges::greater(), &Part::nearest);
