@@ -59,8 +59,9 @@ struct Saving {
       if (after[k] < std::max(times, 1.05) * before[k]) continue;
       times = after[k] / before[k];
       // Of large ones not all digits: lights are skipped by whole vectors, long or short ones.
-      words = (times < 10 ? studio::fixed(times, 1)
-                          : "over " + std::to_string(std::min(int(times / 10) * 10, 100))) +
+      times =
+          times < 10 ? std::round(10 * times) / 10 : std::min(10 * std::floor(times / 10), 100.0);
+      words = (times < 10 ? studio::fixed(times, 1) : "over " + studio::fixed(times, 0)) +
               " x the " + kinds[k];
     }
     if (!same(with.picture, without.picture)) words += "; ANOTHER PICTURE";
@@ -104,8 +105,7 @@ Framebuffer bars(const std::vector<Saving>& savings, int width, int height, int 
   const double row = height / (double(savings.size()) + .5), left = .28 * width;
   for (std::size_t i = 0; i < savings.size(); ++i) {
     const double top = row * (double(i) + .4), words = top + .6 * row;
-    const double right =
-        left + .4 * width * std::log(std::min(savings[i].times, 100.0)) / std::log(100.0);
+    const double right = left + .4 * width * std::log(savings[i].times) / std::log(100.0);
     canvas.words({left - .01 * width, words}, savings[i].name, ink::black, Align::right);
     canvas.rectangle({left, top}, {right + .001 * width, top + .7 * row}, ink::sky);
     canvas.words({right + .01 * width, words}, savings[i].words, ink::black);
