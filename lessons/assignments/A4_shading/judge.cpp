@@ -25,7 +25,7 @@ Words words_of(std::uint64_t seed) {
        v.clamps_vertices
            ? "each channel is then cut to 0..1, as the fixed-point colours of classical "
              "hardware were"
-           : "it is not cut, however bright: only the picture is, at the end"},
+           : "it is not cut, however bright; only the picture is, at the end"},
       {"normals", v.unit_first
                       ? "Each vertex's normal gets unit length first; then they are interpolated, "
                         "and the result gets unit length."

@@ -114,13 +114,13 @@ std::string derive(Examination& e, const Fault& fault, Interpolated what, const 
   std::string text =
       "\n  one such fragment, with weights " +
       words(Vector{fault.weights.corner[0], fault.weights.corner[1], fault.weights.corner[2]}) +
-      ", step by step:";
+      ", step by step, each given\n  what is right of the steps before";
   Numbers between;
   if (what == Interpolated::normals) {
     for (const Vertex& v : fault.triangle) put(v.normal, between);
     put(fault.weights, between);
     const Vector normal = right_normal(variant, {a.normal, b.normal, c.normal}, fault.weights);
-    return text + step("normal:", ask_normal, between, normal) +
+    return text + ":" + step("normal:", ask_normal, between, normal) +
            light_at(normal, right_between({a.position, b.position, c.position}, fault.weights));
   }
   Vector corners[3];
@@ -131,7 +131,8 @@ std::string derive(Examination& e, const Fault& fault, Interpolated what, const 
   put(fault.weights, between);
   Numbers vertex;
   put(a, vertex), put(scene, vertex);
-  return text + " (light and vertex: of the first corner)" + light_at(unit(a.normal), a.position) +
+  return text +
+         " (light and vertex: those of the first corner):" + light_at(unit(a.normal), a.position) +
          step("vertex:", ask_vertex, vertex, corners[0]) +
          step("between:", ask_interpolate, between, right_between(corners, fault.weights));
 }

@@ -13,8 +13,8 @@ namespace scanlit::assignments {
 /// points only.
 void print_report(std::ostream& out, const Assignment& assignment, const Verdict& verdict);
 
-/// The same as a page, with the pictures: New / Reference / Difference, a slider between the first
-/// two, and zoom. One file that needs no other.
+/// The same as a page, with the pictures: Yours / Should be / Difference, a slider between the
+/// first two, and zoom. One file that needs no other.
 std::string report_page(const Assignment& assignment, const Verdict& verdict);
 
 /// A line about what a right program has done.

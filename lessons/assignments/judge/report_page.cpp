@@ -89,16 +89,16 @@ std::string image(const JudgedPicture& picture, const std::vector<std::uint8_t>&
 std::string compare(const JudgedPicture& picture) {
   return "<h2>" + escape_html(picture.title) + "</h2>\n<div class=\"compare\" data-width=\"" +
          std::to_string(picture.width) + "\" data-height=\"" + std::to_string(picture.height) +
-         "\"><div class=\"bar\"><button data-show=\"new\">New</button>"
-         "<button data-show=\"reference\">Reference</button>"
+         "\"><div class=\"bar\"><button data-show=\"new\">Yours</button>"
+         "<button data-show=\"reference\">Should be</button>"
          "<button data-show=\"difference\">Difference</button>"
          "<button data-show=\"slider\">Slider</button>"
-         "<label>New <input type=\"range\" min=\"0\" max=\"100\" value=\"50\"> Reference</label>"
+         "<label>Yours <input type=\"range\" min=\"0\" max=\"100\" value=\"50\"> Should be</label>"
          "<button class=\"out\" title=\"smaller\">&minus;</button><span class=\"zoom\"></span>"
          "<button class=\"in\" title=\"larger\">+</button></div>\n"
          "<div class=\"view\"><div class=\"stack\">" +
-         image(picture, picture.fresh, "New") + "\n" +
-         image(picture, picture.reference, "Reference") + "\n" +
+         image(picture, picture.fresh, "Yours") + "\n" +
+         image(picture, picture.reference, "Should be") + "\n" +
          image(picture, picture.difference, "Difference") +
          "<div class=\"line\"></div></div></div><div class=\"where\"></div></div>\n";
 }
