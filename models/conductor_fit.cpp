@@ -1,6 +1,5 @@
 #include "models/conductor_fit.h"
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 

@@ -26,8 +26,8 @@ T value_at(const T& x, const Polynomial<size>& p) {
 
 /// Over bounds, about the middle m of the interval, where the coefficients c_k of (x - m)^k show
 /// what the terms' signs cancel: P is c_0 within sum |c_k| r^k, |x - m| <= r, and its derivatives
-/// likewise. What Horner's rule rounds, here and in Batch, is less than 4e-7 n of
-/// the same sums with |p_k| and |x|.
+/// likewise. What Horner's rule rounds, here and in Batch, is less than 4e-7 n of the same sums
+/// with |p_k| and |x|.
 template <std::size_t n>
 Bounded value_at(const Bounded& x, const Polynomial<n>& p) {
   const Batch middle = Batch(0.5f) * (x.lo + x.hi), largest = x.magnitude();

@@ -187,7 +187,7 @@ struct LitSites {
   std::vector<std::uint16_t> corners;  // Gouraud: the sites of triangle i are 3 i .. 3 i + 2; flat:
                                        // none, the site of triangle i is i
   // Linear RGB of each site, and 0: four numbers are copied at once. Parts only where they are
-  // asked for. Up to a whole vector.
+  // asked for. Longer than `sites` by a vector, for the last to be stored whole.
   std::vector<glm::vec4> colour, ambient, diffuse, glossy;
 };
 

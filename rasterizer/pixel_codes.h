@@ -15,7 +15,7 @@ class EightBitEncoder;
 /// Where the colours of a tile's fragments go.
 struct ColourTarget {
   float* linear = nullptr;                           // RGBA; a pixel's fragments add up
-  std::uint8_t* codes = nullptr;                     // else RGBA8; each pixel is written once
+  std::uint8_t* codes = nullptr;                     // else RGBA8; fragments replace what was there
   std::size_t width = 0;                             // of the picture
   std::size_t first_pixel = 0;                       // the pixel that is first there, y * width + x
   std::size_t first_in_planes = 0;                   // and in the other planes of the framebuffer

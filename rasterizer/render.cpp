@@ -65,11 +65,10 @@ using Workers = tbb::enumerable_thread_specific<Worker>;
 
 void add(const FrameStats& part, FrameStats& sum) {
   for (const auto member :
-       {&FrameStats::vertices, &FrameStats::objects_outside, &FrameStats::clusters,
-        &FrameStats::clusters_outside, &FrameStats::clusters_back_facing,
-        &FrameStats::clusters_hidden, &FrameStats::triangles, &FrameStats::outside,
-        &FrameStats::behind, &FrameStats::back_facing, &FrameStats::no_pixel, &FrameStats::drawn,
-        &FrameStats::clipped, &FrameStats::hidden, &FrameStats::fragments,
+       {&FrameStats::vertices, &FrameStats::clusters, &FrameStats::clusters_outside,
+        &FrameStats::clusters_back_facing, &FrameStats::clusters_hidden, &FrameStats::triangles,
+        &FrameStats::outside, &FrameStats::behind, &FrameStats::back_facing, &FrameStats::no_pixel,
+        &FrameStats::drawn, &FrameStats::clipped, &FrameStats::hidden, &FrameStats::fragments,
         &FrameStats::covered_pixels, &FrameStats::evaluations, &FrameStats::evaluations_skipped,
         &FrameStats::spans})
     sum.*member += part.*member;
@@ -113,6 +112,8 @@ void Renderer::State::use_threads(int count) {
 /// Also cuts all their clusters into chunks.
 void Renderer::State::make_draws(Frame& frame, const Changes& changes) {
   constexpr std::uint32_t clusters_in_chunk = 64;
+  static_assert(2 * ClusterVertices::capacity * clusters_in_chunk <= 1 << 16,
+                "LitSites::corners holds the sites of a chunk's vertices, of either side");
   const Viewport& viewport = frame.viewport;
   const glm::dmat4 view_projection =
       clip_from_world(frame.camera, double(viewport.width) / viewport.height);
@@ -290,7 +291,13 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
       settings.reuse ? state.last.until(scene, camera, settings, framebuffer) : Changes();
   state.last.forget();  // unless this frame ends as it should
   framebuffer.frame = 0;
-  if (settings.stages) return render_staged(scene, camera, settings, framebuffer);
+  const auto timed = [&](FrameStats stats) {  // StageTimer left ticks in it
+    stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds_per_tick = stats.wall_seconds / double(StageTimer::now() - start_tick);
+    for (double& stage : stats.seconds) stage *= seconds_per_tick;
+    return stats;
+  };
+  if (settings.stages) return timed(render_staged(scene, camera, settings, framebuffer));
   Frame frame{.scene = scene,
               .camera = camera,
               .settings = settings,
@@ -314,10 +321,7 @@ FrameStats Renderer::render(const Scene& scene, const Camera& camera,
   framebuffer.frame = ++frames;
   if (settings.reuse) state.last.keep(scene, camera, settings, framebuffer);
   stats.threads = threads;
-  stats.wall_seconds = std::chrono::duration<double>(Clock::now() - start).count();
-  const double seconds_per_tick = stats.wall_seconds / double(StageTimer::now() - start_tick);
-  for (double& stage : stats.seconds) stage *= seconds_per_tick;
-  return stats;
+  return timed(stats);
 }
 
 }  // namespace scanlit

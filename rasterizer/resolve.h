@@ -33,8 +33,9 @@ class Resolver {
     return covered_pixels_;
   }
 
-  /// Only what sees triangle `only`, in these pixels, with one sample each.
+  /// Only what sees triangle `only`, in these pixels, if any, with one sample each.
   void run(TriangleId only, const Rect& pixels) {
+    if (pixels.empty()) return;  // a triangle between the pixels' centres: rows would have no end
     for (int y = pixels.y_begin; y < pixels.y_end; ++y)
       resolve_row(y, pixels, pixels_of(only, y, pixels));
     flush();

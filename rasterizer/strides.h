@@ -14,10 +14,10 @@
 // samples see several triangles mixes their colours in linear light: with T(c) the colour that is E
 // codes above c, T is concave, hence a mixture of errors within E codes is within E codes itself.
 //
-// Assumed is that Batch evaluates f to within `rounding` of a code at each of the three pixels: the
-// tests hold every model to less. And the same budget pays for codes that are only near_codes right
-// (pixel_codes.h), of all pixels, interpolated or not: of what is left of a frame under one light
-// a third were the powers of sRGB's encoding.
+// Assumed is that Batch evaluates f to within `rounding_codes` of a code, of all three pixels
+// together: the tests hold every model to less. And the same budget pays for codes that are only
+// near_codes right (pixel_codes.h), of all pixels, interpolated or not: of what is left of a frame
+// under one light a third were the powers of sRGB's encoding.
 //
 // Bounds are dear: those of a vector of triangles under one light take about as long as lighting 80
 // vectors of pixels. So a few triangles of each chunk are tried, and where little is spared nothing

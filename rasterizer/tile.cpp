@@ -6,7 +6,6 @@
 #include "rasterizer/frame_probe.h"
 #include "rasterizer/scan_conversion.h"
 #include "rasterizer/stage_timer.h"
-#include "rasterizer/triangle_culling.h"
 
 namespace scanlit {
 

@@ -77,6 +77,9 @@ TEST(Stages, AnEmptyTableDrawsTheEnginesFrame) {
   EXPECT_EQ(staged.stats.covered_pixels, own.stats.covered_pixels);
   EXPECT_EQ(staged.stats.triangles, own.stats.triangles);
   EXPECT_GT(own.stats.clipped, 10);  // or the scene tests less than it should
+  const double lighting = staged.stats.seconds[std::size_t(Stage::light_vertices)];
+  EXPECT_GT(lighting, 0);
+  EXPECT_LT(lighting, staged.stats.wall_seconds);
   // Barycentric coordinates are worked out in double here, in float there.
   for (const auto plane : {&Framebuffer::colour, &Framebuffer::normal, &Framebuffer::ambient,
                            &Framebuffer::diffuse, &Framebuffer::glossy})
