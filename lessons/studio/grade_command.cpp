@@ -122,6 +122,7 @@ void grade(const GradeOptions& options) {
   write_all(job.results, assignments::assignment(job.rubric.assignment), run, job.layers);
   std::cout << options.output << ": " << run.judged << " judged, " << run.kept
             << " as before; behind " << sandbox::in_force(job.layers) << '\n';
+  for (const std::string& oddity : oddities(job, run)) warn(oddity);
   report_faults(run);
 }
 

@@ -153,6 +153,22 @@ TEST_F(Grading, RosterMarksAndLateDays) {
   EXPECT_THROW(read_marks(path("marks.toml"), job_.rubric), Error);
 }
 
+TEST_F(Grading, WhatCountsNowhereIsSaid) {
+  submit("team", starter_text(a1_));
+  submit("stranger", starter_text(a1_));
+  write(path("submissions") / "empty" / "notes.txt", "");
+  job_.submissions.push_back(path("submissions") / "empty");
+  job_.rubric.tests.clear();
+  write(path("roster.csv"), "Student,ID,Folder\nAnn,1,team\nBob,2,empty\n");
+  job_.roster = read_roster(path("roster.csv"));
+  job_.marks = {{"team", {}}, {"taem", {}}};
+  EXPECT_EQ(
+      oddities(job_, run_grading(job_)),
+      (std::vector<std::string>{"empty has no " + a1_.file,
+                                "stranger is in no row of the roster, and so not in grades.csv",
+                                "the marks of 'taem' are nobody's: there is no such submission"}));
+}
+
 TEST(Leaderboard, HasTheLeastWorkFirst) {
   const studio::TemporaryFolder folder;
   std::vector<Grade> grades;

@@ -55,7 +55,7 @@ Framebuffer teapot(const Stage& stage, const ShadeRow& shade_row) {
     for (std::size_t k = 0; k < 3; ++k) {
       const std::uint32_t v = mesh.indices[3 * std::size_t(piece.triangle) + k];
       // Of lengths that differ, as they come from some files.
-      const double length = (1 + v % 3) * (piece.back_facing ? -1 : 1);
+      const double length = (1.0 + v % 3) * (piece.back_facing ? -1 : 1);
       triangle[k] = {from_glm(mesh.positions[v]), length * from_glm(mesh.normals[v])};
     }
     std::vector<Weights> weights;

@@ -209,4 +209,19 @@ class Grading {
 
 GradeRun run_grading(const GradeJob& job) { return Grading(job).run(); }
 
+std::vector<std::string> oddities(const GradeJob& job, const GradeRun& run) {
+  std::vector<std::string> found;
+  const std::string& file = assignment(job.rubric.assignment).file;
+  for (const fs::path& submission : job.submissions)
+    if (!fs::exists(submission / file))
+      found.push_back(submission.filename().string() + " has no " + file);
+  for (const Grade& grade : run.grades)
+    if (grade.students.empty())
+      found.push_back(grade.submission + " is in no row of the roster, and so not in grades.csv");
+  for (const auto& [name, marks] : job.marks)
+    if (std::ranges::find(run.grades, name, &Grade::submission) == run.grades.end())
+      found.push_back("the marks of '" + name + "' are nobody's: there is no such submission");
+  return found;
+}
+
 }  // namespace scanlit::assignments

@@ -32,6 +32,10 @@ struct GradeRun {
 /// results.json when it is known. Safe to kill and to repeat: whole results are kept.
 GradeRun run_grading(const GradeJob& job);
 
+/// What an instructor would want to be told before grades are handed on: submissions without the
+/// file that is judged, submissions whose points no row of the roster takes, marks for nobody.
+std::vector<std::string> oddities(const GradeJob& job, const GradeRun& run);
+
 /// What of an earlier result still stands: tests whose submission, package, variant and questions
 /// are what they were. The rest is in `missing`.
 Result standing(const Result& earlier, const Rubric& rubric, const std::string& submission_key,
