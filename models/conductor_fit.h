@@ -46,7 +46,7 @@ class ConductorFit {
     T reflectance(const T& c) const {
       const T c2 = c * c, re = value_at(c2, re_q);
       const T im2 = max(mul_add(re, re, -(T(re_q2_at_grazing) + c2)), T(0));
-      return unpolarised(c, re, im2);
+      return unpolarised(c, re, im2, c - re);
     }
   };
   Channel red_, green_, blue_;

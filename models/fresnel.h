@@ -27,10 +27,11 @@ namespace scanlit::models {
 ///   r_s = (c - q) / (c + q)    |r_p / r_s|^2 = (t - u) / (t + u)    t = c^2 |q|^2 + sin^4(theta_i)
 ///                                                                   u = 2 c re sin^2(theta_i)
 ///
-/// so that F = |r_s|^2 t / (t + u): one division, and no difference of nearly equal numbers.
+/// so that F = |r_s|^2 t / (t + u): one division. minus is c - re: the caller knows whether that
+/// loses digits, and what else to take.
 template <class T>
-T unpolarised(const T& c, const T& re, const T& im2) {
-  const T minus = c - re, plus = c + re, sin2 = (T(1) - c) * (T(1) + c);
+T unpolarised(const T& c, const T& re, const T& im2, const T& minus) {
+  const T plus = c + re, sin2 = (T(1) - c) * (T(1) + c);
   const T t = mul_add(c * c, mul_add(re, re, im2), sin2 * sin2);
   const T t_plus_u = mul_add(T(2) * c * sin2, re, t);
   // Both are 0 at grazing where q is 0 too: within the denser of two media, and where there is no
@@ -53,17 +54,21 @@ T conductor_reflectance(const T& c, const T& eta, const T& k) {
   const T larger = sqrt(T(0.5) * (sqrt(t * t + T(4) * eta_k * eta_k) + abs(t)));
   const T smaller = eta_k / max(larger, T(1e-30));
   const T re = select(t > T(0), larger, smaller), im = select(t > T(0), smaller, larger);
-  return unpolarised(c, re, im * im);
+  return unpolarised(c, re, im * im, c - re);
 }
 
 /// The same for k = 0, eta from 1e-3 to 1e6. If eta < 1 (light leaves the denser medium), q is
 /// imaginary where c^2 < 1 - eta^2, and reflection is total: 1. Maximum error in float: 2e-6,
-/// absolute; close to the critical angle, where F falls from 1 with infinite slope, what rounding
-/// of c and eta makes of it.
+/// absolute, and 2e-5 of F, however small it is; close to the critical angle, where F falls from 1
+/// with infinite slope, what rounding of c and eta makes of it.
 template <class T>
 T dielectric_reflectance(const T& c, const T& eta) {
-  const T q = sqrt(max((eta - T(1)) * (eta + T(1)) + c * c, T(0)));
-  return unpolarised(c, q, T(0));
+  const T eta2_minus_1 = (eta - T(1)) * (eta + T(1));
+  const T q = sqrt(max(eta2_minus_1 + c * c, T(0)));
+  // c - q from c^2 - q^2: where eta is near 1, c and q are nearly equal, and a narrow lobe makes
+  // much of what little is mirrored. (Where reflection is total, this is more than c, so F is 1.)
+  const T minus = -eta2_minus_1 / max(c + q, T(1e-15));
+  return unpolarised(c, q, T(0), minus);
 }
 
 template <class P = double>
