@@ -36,7 +36,9 @@ Scene any_scene(Dice& dice, double brightness = 0.6);
 Vertex any_vertex(Dice& dice);  // near the origin, its normal of any length
 Weights any_weights(Dice& dice);
 
-std::string words(Vector v);  // "(0.25, 0, -1)"
+std::string words(Vector v, int decimals = 4);  // "(0.2500, 0.0000, -1.0000)"
+/// Each after its words, with as many decimals as show that they differ.
+std::string both(const char* before_yours, Vector yours, const char* before_right, Vector right);
 std::string describe(const Scene& scene);
 
 /// Three numbers; what the function asks back of earlier parts is answered as the variant has it.

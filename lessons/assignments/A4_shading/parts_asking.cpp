@@ -7,9 +7,17 @@
 
 namespace scanlit::assignments::shading {
 
-std::string words(Vector v) {
-  return "(" + studio::fixed(v.x, 4) + ", " + studio::fixed(v.y, 4) + ", " + studio::fixed(v.z, 4) +
-         ")";
+std::string words(Vector v, int decimals) {
+  return "(" + studio::fixed(v.x, decimals) + ", " + studio::fixed(v.y, decimals) + ", " +
+         studio::fixed(v.z, decimals) + ")";
+}
+
+std::string both(const char* before_yours, Vector yours, const char* before_right, Vector right) {
+  const int most = 9;
+  const bool same = words(yours, most) == words(right, most);
+  int decimals = 4;
+  while (!same && words(yours, decimals) == words(right, decimals)) ++decimals;
+  return before_yours + words(yours, decimals) + before_right + words(right, decimals);
 }
 
 namespace {
@@ -93,8 +101,7 @@ Weights any_weights(Dice& dice) {
 Finding compare(const std::string& question, Vector got, Vector right,
                 const std::vector<Mistake>& mistakes) {
   if (equal(got, right)) return {};
-  std::string message =
-      question + "\n  yours:     " + words(got) + "\n  should be: " + words(right);
+  std::string message = question + both("\n  yours:     ", got, "\n  should be: ", right);
   for (const Mistake& mistake : mistakes)
     if (equal(got, mistake.result) && !equal(right, mistake.result)) {
       message += std::string("\n") + mistake.hint;

@@ -101,14 +101,14 @@ struct Fault {
 std::string derive(Examination& e, const Fault& fault, Interpolated what, const Scene& scene) {
   const ShadingVariant variant = shading_variant(e.variant);
   const auto step = [&](const char* name, int kind, const Numbers& question, Vector right) {
-    return std::string("\n    ") + name + "  yours " + words(ask(e, kind, question)) +
-           ", should be " + words(right);
+    return std::string("\n    ") + name +
+           both("  yours ", ask(e, kind, question), ", should be ", right);
   };
   const auto light_at = [&](Vector normal, Vector position) {
     const Vector to_viewer = unit(scene.eye - position);
     Numbers question;
     put(normal, question), put(to_viewer, question), put(scene, question);
-    return step("light: ", ask_light, question, right_light(variant, normal, to_viewer, scene));
+    return step("light:   ", ask_light, question, right_light(variant, normal, to_viewer, scene));
   };
   const auto& [a, b, c] = fault.triangle;
   std::string text =
@@ -120,8 +120,13 @@ std::string derive(Examination& e, const Fault& fault, Interpolated what, const 
     for (const Vertex& v : fault.triangle) put(v.normal, between);
     put(fault.weights, between);
     const Vector normal = right_normal(variant, {a.normal, b.normal, c.normal}, fault.weights);
-    return text + ":" + step("normal:", ask_normal, between, normal) +
-           light_at(normal, right_between({a.position, b.position, c.position}, fault.weights));
+    Numbers fragment;
+    for (const Vertex& v : fault.triangle) put(v, fragment);
+    put(fault.weights, fragment), put(scene, fragment);
+    return text + ":" + step("normal:  ", ask_normal, between, normal) +
+           light_at(normal, right_between({a.position, b.position, c.position}, fault.weights)) +
+           step("fragment:", ask_fragment, fragment,
+                right_fragment(variant, fault.triangle, fault.weights, scene));
   }
   Vector corners[3];
   for (int k = 0; k < 3; ++k) {
@@ -133,8 +138,8 @@ std::string derive(Examination& e, const Fault& fault, Interpolated what, const 
   put(a, vertex), put(scene, vertex);
   return text +
          " (light and vertex: those of the first corner):" + light_at(unit(a.normal), a.position) +
-         step("vertex:", ask_vertex, vertex, corners[0]) +
-         step("between:", ask_interpolate, between, right_between(corners, fault.weights));
+         step("vertex:  ", ask_vertex, vertex, corners[0]) +
+         step("between: ", ask_interpolate, between, right_between(corners, fault.weights));
 }
 
 Finding test_shading(Examination& e, int kind, Interpolated what, const std::string& name) {
@@ -168,8 +173,8 @@ Finding test_shading(Examination& e, int kind, Interpolated what, const std::str
   return Finding::wrong("In " + name + " shading " + std::to_string(off->count) +
                         " pixels differ, first that at column " + std::to_string(off->x) +
                         ", row " + std::to_string(off->y) +
-                        ":\n  yours:     " + words(colour_at(fresh, off->x, off->y)) +
-                        "\n  should be: " + words(colour_at(reference, off->x, off->y)) +
+                        both(":\n  yours:     ", colour_at(fresh, off->x, off->y),
+                             "\n  should be: ", colour_at(reference, off->x, off->y)) +
                         (faults.empty() ? "" : derive(e, faults[0], what, stage.shaded)));
 }
 
