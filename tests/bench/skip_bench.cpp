@@ -3,7 +3,6 @@
 // both pictures, depths and ids are the same to the bit.
 #include <algorithm>
 #include <cstdio>
-#include <cstring>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -12,6 +11,7 @@
 #include "report.h"
 #include "scanlit_side.h"
 #include "skip_scenes.h"
+#include "tests/unit/same_picture.h"
 #include "timing.h"
 
 namespace scanlit::bench {
@@ -44,17 +44,6 @@ struct Side {
   void draw(SkipScene& scene) { renderer.render(scene.scene, scene.camera, settings, picture); }
 };
 
-template <class Value>
-bool same_bits(const std::vector<Value>& a, const std::vector<Value>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Value)) == 0;
-}
-
-bool same_bits(const Framebuffer& a, const Framebuffer& b) {
-  return same_bits(a.colour, b.colour) && same_bits(a.rgba8, b.rgba8) &&
-         same_bits(a.depth, b.depth) && same_bits(a.object_id, b.object_id) &&
-         same_bits(a.triangle_id, b.triangle_id);
-}
-
 /// Of two successive frames, in colours of full precision, with all planes that a switch may touch.
 bool same_picture(SkipScene& scene, const RenderSettings& off) {
   const Planes planes{.depth = true, .ids = true};
@@ -64,7 +53,7 @@ bool same_picture(SkipScene& scene, const RenderSettings& off) {
   for (int frame = 0; frame < 2; ++frame) {
     pose(scene.bench, frame, scene.scene, scene.camera);
     for (Side& side : sides) side.draw(scene);
-    same &= same_bits(sides[0].picture, sides[1].picture);
+    same &= test::planes_that_differ(sides[0].picture, sides[1].picture).empty();
   }
   return same;
 }

@@ -1,10 +1,9 @@
 // What shading leaves out, no picture shows.
 #include <gtest/gtest.h>
 
-#include <cstring>
-
 #include "models/registry.h"
 #include "rasterizer/shapes.h"
+#include "tests/unit/same_picture.h"
 #include "tests/unit/test_scene.h"
 
 namespace scanlit {
@@ -39,20 +38,13 @@ Camera camera_of(bool viewer_at_infinity) {
   return camera;
 }
 
-bool same_bits(const std::vector<float>& a, const std::vector<float>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), 4 * a.size()) == 0;
-}
-
 void expect_same_pictures(const Scene& scene, const Camera& camera, bool Skips::*skip) {
   RenderSettings settings;
   const Picture with = picture_of(scene, camera, 160, 90, settings);
   settings.skips.*skip = false;
   const Picture without = picture_of(scene, camera, 160, 90, settings);
   ASSERT_GT(with.stats.covered_pixels, 1000);
-  EXPECT_TRUE(same_bits(with.framebuffer.colour, without.framebuffer.colour));
-  EXPECT_TRUE(same_bits(with.framebuffer.normal, without.framebuffer.normal));
-  EXPECT_TRUE(same_bits(with.framebuffer.diffuse, without.framebuffer.diffuse));
-  EXPECT_TRUE(same_bits(with.framebuffer.glossy, without.framebuffer.glossy));
+  EXPECT_EQ(planes_that_differ(with.framebuffer, without.framebuffer), "");
   EXPECT_EQ(with.stats.evaluations, without.stats.evaluations);
 }
 

@@ -6,6 +6,7 @@
 #include "models/blinn_phong.h"
 #include "models/registry.h"
 #include "rasterizer/shapes.h"
+#include "tests/unit/same_picture.h"
 #include "tests/unit/test_scene.h"
 
 namespace scanlit {
@@ -69,14 +70,6 @@ class RandomScene {
   std::mt19937_64 random_;
 };
 
-void expect_same(const Framebuffer& a, const Framebuffer& b) {
-  EXPECT_EQ(a.colour, b.colour);
-  EXPECT_EQ(a.depth, b.depth);
-  EXPECT_EQ(a.normal, b.normal);
-  EXPECT_EQ(a.object_id, b.object_id);
-  EXPECT_EQ(a.triangle_id, b.triangle_id);
-}
-
 TEST(Skips, LeaveThePictureTheSameToTheBit) {
   std::int64_t hidden = 0, outside = 0, facing_away = 0, dark = 0;
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
@@ -90,9 +83,9 @@ TEST(Skips, LeaveThePictureTheSameToTheBit) {
       SCOPED_TRACE(skip.name);
       Skips one_off;
       one_off.*skip.member = none.*skip.member = false;
-      expect_same(scene.draw(one_off), all);
+      EXPECT_EQ(planes_that_differ(scene.draw(one_off), all), "");
     }
-    expect_same(scene.draw(none), all);
+    EXPECT_EQ(planes_that_differ(scene.draw(none), all), "");
   }
   // The scenes give each of them something to do.
   EXPECT_GT(hidden, 100);
@@ -121,7 +114,7 @@ TEST(Skips, HiddenLayersLeaveNoTrace) {
     const FrameStats stats = render(scene, eye_at_origin(), settings, with);
     settings.skips.hidden_triangles = false;
     render(scene, eye_at_origin(), settings, without);
-    expect_same(with, without);
+    EXPECT_EQ(planes_that_differ(with, without), "");
     EXPECT_GT(stats.hidden, 500) << samples;
   }
 }
@@ -153,7 +146,7 @@ TEST(Skips, WhatIsBehindWallsLeavesNoTrace) {
     const FrameStats stats = render(scene, eye_at_origin(), settings, with);
     settings.skips.hidden_clusters = false;
     const FrameStats all = render(scene, eye_at_origin(), settings, without);
-    expect_same(with, without);
+    EXPECT_EQ(planes_that_differ(with, without), "");
     objects_hidden += stats.objects_hidden, clusters_hidden += stats.clusters_hidden;
     EXPECT_EQ(stats.triangles, all.triangles);
     EXPECT_EQ(stats.triangles,
@@ -189,7 +182,7 @@ TEST(Skips, LayersThatNearlyTouchAreAllSeen) {
       settings.skips.hidden_triangles = false;
       render(scene, pixel_camera(size, size), settings, without);
       SCOPED_TRACE(std::to_string(samples) + " samples, slope " + std::to_string(slope));
-      expect_same(with, without);
+      EXPECT_EQ(planes_that_differ(with, without), "");
     }
 }
 
@@ -214,7 +207,7 @@ TEST(Skips, FragmentsThatRoundingBringsNearerAreSeen) {
     render(scene, pixel_camera(size, size), settings, with);
     settings.skips.hidden_triangles = false;
     render(scene, pixel_camera(size, size), settings, without);
-    expect_same(with, without);
+    EXPECT_EQ(planes_that_differ(with, without), "");
     EXPECT_EQ(with.object_id[88 + 120 * size], 0u);
   }
 }

@@ -1,11 +1,11 @@
 // The picture does not depend on the number of threads: every plane, to the bit.
 #include <algorithm>
-#include <cstring>
 #include <glm/geometric.hpp>
 #include <random>
 
 #include "models/blinn_phong.h"
 #include "rasterizer/error.h"
+#include "tests/unit/same_picture.h"
 #include "tests/unit/test_scene.h"
 
 namespace scanlit {
@@ -13,21 +13,8 @@ namespace {
 
 using namespace test;
 
-template <class T>
-bool same_bits(const std::vector<T>& a, const std::vector<T>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0;
-}
-
 void expect_same(const Picture& a, const Picture& b) {
-  const Framebuffer &p = a.framebuffer, &q = b.framebuffer;
-  EXPECT_TRUE(same_bits(p.colour, q.colour));
-  EXPECT_TRUE(same_bits(p.depth, q.depth));
-  EXPECT_TRUE(same_bits(p.normal, q.normal));
-  EXPECT_TRUE(same_bits(p.object_id, q.object_id));
-  EXPECT_TRUE(same_bits(p.triangle_id, q.triangle_id));
-  EXPECT_TRUE(same_bits(p.ambient, q.ambient));
-  EXPECT_TRUE(same_bits(p.diffuse, q.diffuse));
-  EXPECT_TRUE(same_bits(p.glossy, q.glossy));
+  EXPECT_EQ(planes_that_differ(a.framebuffer, b.framebuffer), "");
   EXPECT_EQ(a.stats.drawn, b.stats.drawn);
   EXPECT_EQ(a.stats.fragments, b.stats.fragments);
   EXPECT_EQ(a.stats.covered_pixels, b.stats.covered_pixels);
