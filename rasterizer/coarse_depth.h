@@ -2,6 +2,9 @@
 // block of pixels holds need not be scan-converted.
 #pragma once
 
+#include <algorithm>
+
+#include "rasterizer/batch.h"
 #include "rasterizer/pipeline.h"
 
 namespace scanlit {
@@ -18,6 +21,18 @@ struct VisibleColumns {
   Range ranges[max_block_rows];
 
   const Range& at_row(int y) const { return ranges[(y - y_begin) / block_height]; }
+};
+
+/// A block that is covered in part, as at an outline: what lies behind the covered part and misses
+/// the rest is hidden, too.
+struct Holes {
+  static constexpr int most_rows = std::max(VisibleColumns::block_height, Batch::lanes);
+
+  float least = 0;  // depth of the covered pixels, or less; 0: not known
+  // The block's rows that have holes, and the columns of the first and the last hole of each. After
+  // them the first row stands again, for vectors to be loaded whole.
+  int rows = 0;
+  float row[most_rows], first[most_rows], last[most_rows];
 };
 
 /// For each block of pixels the least depth in it, or less: what stands there may be out of date,
@@ -40,14 +55,6 @@ class CoarseDepth {
 
  private:
   static constexpr int block_width = 16, block_height = VisibleColumns::block_height;
-
-  /// A block that is covered in part, as at an outline: what lies behind the covered part and
-  /// misses the rest is hidden, too.
-  struct Holes {
-    float least = 0;  // depth of the covered pixels, or less; 0: not known
-    // Pixels of the block between which all holes are: the first and the last of each row.
-    float column[2 * block_height], row[2 * block_height];
-  };
 
   /// The blocks that some pixels meet: columns and rows, both ends included.
   struct Blocks {

@@ -4,20 +4,21 @@
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/global_control.h>
 #include <tbb/info.h>
-#include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
-#include <xmmintrin.h>
 
 #include <algorithm>
 #include <atomic>
+#include <bit>
 #include <chrono>
 #include <mutex>
+#include <numeric>
 
 #include "rasterizer/cluster_culling.h"
 #include "rasterizer/draw.h"
 #include "rasterizer/error.h"
 #include "rasterizer/lighting.h"
 #include "rasterizer/occlusion.h"
+#include "rasterizer/parallel.h"
 #include "rasterizer/reuse.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/stages.h"
@@ -29,19 +30,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Subnormal results become 0 for as long as it lives: the tails of sharp lobes are subnormal, and
-/// cost many times a normal number's time.
-class FlushSubnormals {
- public:
-  FlushSubnormals() : saved_(_mm_getcsr()) { _mm_setcsr(saved_ | 0x8040); }
-  FlushSubnormals(const FlushSubnormals&) = delete;
-  FlushSubnormals& operator=(const FlushSubnormals&) = delete;
-  ~FlushSubnormals() { _mm_setcsr(saved_); }
-
- private:
-  unsigned saved_;
-};
-
 void validate(const RenderSettings& settings) {
   const int s = settings.samples;
   if (s != 1 && s != 4 && s != 8 && s != 16)
@@ -50,15 +38,6 @@ void validate(const RenderSettings& settings) {
     throw Error("threads must be 0 (all cores) to 1024, not " + std::to_string(settings.threads));
   if (!(settings.tolerance >= 0 && settings.tolerance <= 255))
     throw Error("tolerance must be 0 to 255, not " + std::to_string(settings.tolerance));
-}
-
-/// Runs work(i) for each i below count, in parallel.
-template <class Work>
-void parallel(std::size_t count, const Work& work) {
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t i) {
-    const FlushSubnormals flush;
-    work(i);
-  });
 }
 
 using Workers = tbb::enumerable_thread_specific<Worker>;
@@ -109,11 +88,20 @@ void Renderer::State::use_threads(int count) {
   arena = std::make_unique<tbb::task_arena>(count);
 }
 
+constexpr std::uint32_t most_clusters_in_chunk = 64;
+static_assert(2 * ClusterVertices::capacity * most_clusters_in_chunk <= 1 << 16,
+              "LitSites::corners holds the sites of a chunk's vertices, of either side");
+
+/// To assemble 64 takes about 50 microseconds: where there are few, chunks are smaller, for every
+/// thread to have some.
+std::uint32_t clusters_in_chunk(const std::vector<Draw>& draws) {
+  std::size_t count = 0;
+  for (const Draw& draw : draws) count += draw.clusters->clusters.size();
+  return std::clamp(std::uint32_t(count / 8), 8u, most_clusters_in_chunk);
+}
+
 /// Also cuts all their clusters into chunks.
 void Renderer::State::make_draws(Frame& frame, const Changes& changes) {
-  constexpr std::uint32_t clusters_in_chunk = 64;
-  static_assert(2 * ClusterVertices::capacity * clusters_in_chunk <= 1 << 16,
-                "LitSites::corners holds the sites of a chunk's vertices, of either side");
   const Viewport& viewport = frame.viewport;
   const glm::dmat4 view_projection =
       clip_from_world(frame.camera, double(viewport.width) / viewport.height);
@@ -122,6 +110,7 @@ void Renderer::State::make_draws(Frame& frame, const Changes& changes) {
     const auto index = std::uint32_t(frame.draws.size());
     frame.draws.push_back(make_draw(object, index, view_projection, clusters));
   }
+  const std::uint32_t chunk_size = clusters_in_chunk(frame.draws);
   std::uint32_t count = 0;
   for (Draw& draw : frame.draws) {
     const MeshClusters& all = *draw.clusters;
@@ -129,13 +118,13 @@ void Renderer::State::make_draws(Frame& frame, const Changes& changes) {
                    ClusterCuller(draw, viewport).view(all.bounds) == ClusterView::outside;
     if (!draw.outside) draw.illumination = illuminate(frame, draw);
     const auto end = std::uint32_t(all.clusters.size());
-    for (std::uint32_t first = 0; first < end; first += clusters_in_chunk, ++count) {
+    for (std::uint32_t first = 0; first < end; first += chunk_size, ++count) {
       if (count == frame.chunks.size()) frame.chunks.emplace_back();
       Chunk& chunk = frame.chunks[count];
       chunk.draw = &draw;
       chunk.index = count;
       chunk.first_cluster = first;
-      chunk.end_cluster = std::min(first + clusters_in_chunk, end);
+      chunk.end_cluster = std::min(first + chunk_size, end);
     }
   }
   if (changes.everything) frame.chunks.resize(count);
@@ -210,6 +199,22 @@ void try_all_strides(Frame& frame) {
     if (worth[chunk.index]) frame.draws[chunk.draw->index].may_stride = true;
 }
 
+/// The tiles in the order to draw them. One that is full takes a twentieth of a frame's time or
+/// more: drawn last, all threads but one would wait for it. Among tiles that are nearly alike the
+/// order stays, for neighbours have clusters in common.
+std::vector<int> largest_first(const Frame& frame) {
+  std::vector<std::uint64_t> pixels(std::size_t(frame.grid.count()));  // of boxes, chunk by chunk
+  for (const Chunk& chunk : frame.chunks)
+    for (std::size_t i = 0; i < chunk.bins.size(); ++i)
+      if (const Bin& bin = chunk.bins[i]; bin.begin != bin.end)
+        pixels[std::size_t(chunk.first_tile) + i] += std::uint64_t(area(bin.touched));
+  std::vector<int> order(pixels.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto size = [&](int tile) { return std::bit_width(pixels[std::size_t(tile)]); };
+  std::ranges::stable_sort(order, std::ranges::greater(), size);
+  return order;
+}
+
 FrameStats Renderer::State::run_stages(Frame& frame, const Changes& changes,
                                        Framebuffer& framebuffer) {
   for (Worker& worker : workers) worker.shader.stats = {};
@@ -225,7 +230,9 @@ FrameStats Renderer::State::run_stages(Frame& frame, const Changes& changes,
   if (keep) kept_tiles.resize(tiles.size());
   std::mutex progress_mutex;
   std::size_t finished = 0;
-  parallel(tiles.size(), [&](std::size_t i) {  // (7) to (10)
+  const std::vector<int> order = largest_first(frame);
+  parallel(order.size(), [&](std::size_t turn) {  // (7) to (10)
+    const auto i = std::size_t(order[turn]);
     Worker& worker = workers.local();
     VisibilityTile& visibility = keep ? kept_tiles[i] : worker.visibility;
     if (tiles[i] != Redo::nothing)
