@@ -3,25 +3,11 @@
 #include <algorithm>
 
 #include "rasterizer/coarse_depth.h"
+#include "rasterizer/parallel.h"
+#include "rasterizer/stage_timer.h"
 #include "rasterizer/triangle_culling.h"
 
 namespace scanlit {
-
-bool Occlusion::choose_occluders(Frame& frame) {
-  std::int64_t occluders = 0, others = 0;
-  for (Draw& draw : frame.draws) {
-    if (draw.outside) continue;
-    const auto clusters = std::int64_t(draw.clusters->clusters.size());
-    draw.occluder = clusters == 1;
-    (draw.occluder ? occluders : others) += clusters;
-  }
-  // Measured: a cluster that is skipped saves about as much time as 500 pixels of the occluders'
-  // depth take. It pays if half of the clusters are hidden.
-  const std::int64_t pixels = std::int64_t(frame.viewport.width) * frame.viewport.height;
-  const bool pays = occluders > 0 && others >= 16 * occluders && others >= pixels / 256;
-  for (Draw& draw : frame.draws) draw.occluder = draw.occluder && pays;
-  return pays;
-}
 
 void Occlusion::reset(const Frame& frame) {
   picture_ = picture_rect(frame.viewport);
@@ -53,6 +39,58 @@ bool Occlusion::hides(const ScreenBounds& bounds) const {
          ++column)
       if (!(bounds.nearest < double(least_[std::size_t(row * columns_ + column)]))) return false;
   return true;
+}
+
+namespace {
+
+/// Marks them, if there are any and it is likely to pay.
+bool choose_occluders(Frame& frame) {
+  std::int64_t triangles = 0, others = 0;
+  for (Draw& draw : frame.draws) {
+    if (draw.outside) continue;
+    const auto& clusters = draw.clusters->clusters;
+    draw.occluder = clusters.size() == 1;
+    if (draw.occluder)
+      triangles += clusters[0].triangle_count;
+    else
+      others += std::int64_t(clusters.size());
+  }
+  // Measured: a cluster that is skipped saves .6 microseconds, as much as 500 pixels of the
+  // occluders' depth take, or six of their triangles. It pays if half of the clusters are hidden.
+  const std::int64_t pixels = std::int64_t(frame.viewport.width) * frame.viewport.height;
+  const bool pays = triangles > 0 && others / 2 >= pixels / 500 + triangles / 6;
+  for (Draw& draw : frame.draws) draw.occluder = draw.occluder && pays;
+  return pays;
+}
+
+}  // namespace
+
+void find_hidden(Frame& frame, Workers& workers, Occlusion& occlusion) {
+  if (!choose_occluders(frame)) return;
+  parallel(frame.chunks.size(), [&](std::size_t i) {
+    Chunk& chunk = frame.chunks[i];
+    chunk.bins.clear();
+    if (chunk.draw->occluder) assemble(frame, chunk, workers.local().shader.stats);
+  });
+  occlusion.reset(frame);
+  frame.occlusion = &occlusion;
+  parallel(std::size_t(frame.grid.count()), [&](std::size_t i) {
+    Worker& worker = workers.local();
+    const StageTimer timer(worker.shader.stats, Stage::scan_conversion);
+    FrameStats not_counted;  // these triangles are going to be drawn again
+    worker.triangles.gather(frame, int(i), worker.visibility);
+    worker.triangles.scan_convert_all(frame, worker.visibility, not_counted,
+                                      [](TriangleId, const VisibleColumns*) {});
+    occlusion.put(worker.visibility);
+  });
+  parallel(frame.draws.size(), [&](std::size_t i) {
+    Draw& draw = frame.draws[i];
+    if (draw.outside || draw.occluder) return;
+    const ClusterCuller culler(draw, frame.viewport);
+    const Sphere& bounds = draw.clusters->bounds;
+    draw.hidden =
+        culler.view(bounds) == ClusterView::inside && occlusion.hides(culler.screen_bounds(bounds));
+  });
 }
 
 }  // namespace scanlit

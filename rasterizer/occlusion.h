@@ -8,15 +8,12 @@
 
 #include "rasterizer/cluster_culling.h"
 #include "rasterizer/pipeline.h"
+#include "rasterizer/tile.h"
 
 namespace scanlit {
 
 class Occlusion {
  public:
-  /// Marks the draws that are occluders: those of one cluster each, if all others together have so
-  /// many that finding the hidden ones is likely to pay. Returns whether it is.
-  static bool choose_occluders(Frame& frame);
-
   /// Nothing is hidden.
   void reset(const Frame& frame);
   /// Once all occluders were scan-converted in a tile. Of several tiles at a time.
@@ -31,5 +28,10 @@ class Occlusion {
   int columns_ = 0;
   std::vector<float> least_;  // depth in each block, row by row
 };
+
+/// If it is likely to pay: (3) to (7) of the occluders alone, and what of the other objects they
+/// hide. Clusters can be asked for in frame.occlusion then. Occluders are the objects of one
+/// cluster.
+void find_hidden(Frame& frame, Workers& workers, Occlusion& occlusion);
 
 }  // namespace scanlit

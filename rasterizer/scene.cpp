@@ -13,7 +13,8 @@ namespace {
 // Beyond this a product of intensity, reflectance and a fall-off could leave float's range.
 constexpr double largest_radiance = 1e12;
 
-void require(bool holds, const std::string& where, const std::string& what) {
+// Scenes have thousands of objects, asked anew in each frame: no string is made for what holds.
+void require(bool holds, const std::string& where, const char* what) {
   if (!holds) throw Error(where, what);
 }
 
@@ -22,9 +23,10 @@ bool holds_float(const glm::dvec3& v) {
   return std::abs(v.x) <= largest && std::abs(v.y) <= largest && std::abs(v.z) <= largest;
 }
 
-void require_colour(const Rgb<double>& c, const std::string& where, const std::string& field) {
+void require_colour(const Rgb<double>& c, const std::string& where, const char* field) {
   for (const double channel : {c.r, c.g, c.b})
-    require(channel >= 0 && channel <= largest_radiance, where, field + " must be 0 to 1e12");
+    if (!(channel >= 0 && channel <= largest_radiance))
+      throw Error(where, std::string(field) + " must be 0 to 1e12");
 }
 
 void validate(const Object& object, const std::string& where) {

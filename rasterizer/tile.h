@@ -1,6 +1,8 @@
 // (7) to (10) for one tile of the picture.
 #pragma once
 
+#include <tbb/enumerable_thread_specific.h>
+
 #include "rasterizer/pipeline.h"
 #include "rasterizer/resolve.h"
 #include "rasterizer/reuse.h"
@@ -18,6 +20,7 @@ struct Worker {
   SpanShader shader;
   TileColours colours;
 };
+using Workers = tbb::enumerable_thread_specific<Worker>;
 
 /// Scan-converts, resolves and shades a tile, into its own part of the framebuffer, whatever that
 /// held. With Redo::shading the visibility stands as it is.

@@ -34,8 +34,8 @@ void TileTriangles::gather(const Frame& frame, int tile, VisibilityTile& visibil
 
   one_by_one_ = !skips.unseen_triangles || !skips.hidden_fragments;
   // Boxes are about twice as large as their triangles: four times over is two layers. Large
-  // triangles are asked for in many blocks; where nothing is behind them any more (occlusion.h),
-  // that pays later.
+  // triangles are asked for in many blocks. Where nothing is behind them any more (occlusion.h)
+  // that pays later: measured in a room of walls, a frame takes 17.0 ms with 4, 15.5 with 8 and 16.
   deep_ = skips.hidden_triangles && pixels > (frame.occlusion ? 16 : 4) * area(touched);
   if (!deep_) return;
   coarse_.reset(visibility);
