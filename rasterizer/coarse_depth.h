@@ -11,7 +11,9 @@ namespace scanlit {
 
 /// Where in a tile a triangle may be seen: pixel columns [begin, end) for each row of blocks.
 struct VisibleColumns {
-  static constexpr int block_height = 8, max_block_rows = 8;
+  // Measured on 64 spheres behind one another: with blocks 8, 16 and 32 rows high a frame
+  // takes 9.4, 8.5 and 8.2 ms; where triangles are small, no height is faster. Low ones hide more.
+  static constexpr int block_height = 16, max_block_rows = 4;
 
   struct Range {
     int begin, end;

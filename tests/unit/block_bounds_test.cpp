@@ -8,7 +8,7 @@
 namespace scanlit {
 namespace {
 
-constexpr int block_width = 16, block_height = 8, columns = 8, rows = 4;
+constexpr int block_width = 16, block_height = 16, columns = 8, rows = 2;
 constexpr int x_begin = 500, y_begin = 300;  // of the blocks' first pixel
 
 struct Covered {
