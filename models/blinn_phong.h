@@ -33,7 +33,7 @@ struct BlinnPhong {
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c) const {
     const T scale = normalised ? T(normalisation(n)) * c.n_l : T(1);
-    return {.diffuse = kd * c.n_l, .glossy = ks * (scale * pow(c.n_h, T(n)))};
+    return {.diffuse = kd * c.n_l, .glossy = ks * (scale * pow(c.n_h, n))};
   }
 
   static P normalisation(const P& n) {

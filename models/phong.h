@@ -22,7 +22,7 @@ struct Phong {
 
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c) const {
-    return {.diffuse = kd * c.n_l, .glossy = ks * pow(r_v(c), T(n))};
+    return {.diffuse = kd * c.n_l, .glossy = ks * pow(r_v(c), n)};
   }
 
   /// R.V from the four cosines. R - V = 2 (N.L) N - (L + V), split along and across N, gives

@@ -166,11 +166,14 @@ void put_barycentric(const Frame& frame, FragmentSpan& span) {
     (w1 * inverse_sum).store(span.b1 + i);
     (w2 * inverse_sum).store(span.b2 + i);
   }
-  for (const int r : edges.others()) {
-    const std::uint32_t pixel = span.pixel[span.runs[r].first];
+  const auto put = [&](int r) {
+    const std::uint32_t pixel = span.first_pixel[r];
     put_exactly(frame, r, double(pixel & 0xffff) * subpixel + half_pixel,
                 double(pixel >> 16) * subpixel + half_pixel, span);
-  }
+  };
+  for (const int r : edges.imprecise()) put(r);
+  for (const int r : span.cut) put(r);
+  for (int r = 0; span.with_derivatives && r < span.run_count; ++r) put(r);
   for (const auto& [r, x, y] : span.centroids) put_exactly(frame, r, x, y, span);
 }
 

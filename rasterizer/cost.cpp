@@ -13,8 +13,6 @@ constexpr std::size_t tests = 0, evaluated = 1, channels = 2;
 /// One depth test for each pixel of the tile that the triangle covers, at its centre.
 void count(const ScreenTriangle& triangle, const Rect& tile, const VisibleColumns* columns,
            Framebuffer& framebuffer) {
-  // In small triangles every covered pixel is tested.
-  if (in_small_box(centre_bounds(triangle), tile)) columns = nullptr;
   for_each_span(triangle, tile.y_begin, tile.y_end, [&](int y, int begin, int end) {
     if (columns && (y < columns->first_row || y >= columns->end_row)) return;
     int first = std::max(begin, tile.x_begin), last = std::min(end, tile.x_end);

@@ -9,7 +9,11 @@ namespace scanlit {
 struct Doubles {
   using Ints = hn::Vec<hn::RebindToSigned<Batch::Tag>>;
   using Tag = hn::ScalableTag<double>;
-  hn::Vec<Tag> low, high;
+  using Half = hn::Vec<Tag>;
+  Half low, high;
+
+  Doubles(Half lower, Half upper) : low(lower), high(upper) {}
+  Doubles(double v) : low(hn::Set(Tag(), v)), high(low) {}
 
   static Doubles from(Ints v) {
     const hn::Rebind<std::int32_t, Tag> half;
@@ -25,7 +29,12 @@ struct Doubles {
     const hn::Rebind<float, Tag> half;
     return hn::Combine(Batch::tag, hn::DemoteTo(half, high), hn::DemoteTo(half, low));
   }
-  static Doubles all(double v) { return {hn::Set(Tag(), v), hn::Set(Tag(), v)}; }
+  /// Of whole numbers; the nearest int where they are beyond its range.
+  Ints ints() const {
+    const hn::Rebind<std::int32_t, Tag> half;
+    return hn::Combine(hn::RebindToSigned<Batch::Tag>(), hn::DemoteTo(half, high),
+                       hn::DemoteTo(half, low));
+  }
 
   friend Doubles operator+(const Doubles& a, const Doubles& b) {
     return {hn::Add(a.low, b.low), hn::Add(a.high, b.high)};
@@ -39,6 +48,13 @@ struct Doubles {
   friend Doubles operator/(const Doubles& a, const Doubles& b) {
     return {hn::Div(a.low, b.low), hn::Div(a.high, b.high)};
   }
+  friend Doubles min(const Doubles& a, const Doubles& b) {
+    return {hn::Min(a.low, b.low), hn::Min(a.high, b.high)};
+  }
+  friend Doubles max(const Doubles& a, const Doubles& b) {
+    return {hn::Max(a.low, b.low), hn::Max(a.high, b.high)};
+  }
+  friend Doubles ceil(const Doubles& a) { return {hn::Ceil(a.low), hn::Ceil(a.high)}; }
 };
 
 }  // namespace scanlit

@@ -1,6 +1,7 @@
 // (8) The edge functions of a span's runs: barycentric coordinates of most triangles.
 #pragma once
 
+#include "rasterizer/doubles.h"
 #include "rasterizer/of_runs.h"
 
 namespace scanlit {
@@ -19,19 +20,19 @@ class EdgeFunctions {
     return mul_add(pixels, of(per_pixel_[corner]), of(first_[corner])) * of(inv_w_[corner]);
   }
 
-  /// The runs that are not to be had so: of cut triangles; of those larger than 16 pixels where
-  /// float is not precise; where derivatives are wanted.
-  std::span<const std::uint16_t> others() const { return {others_, std::size_t(other_count_)}; }
+  /// The runs, of triangles larger than 16 pixels, where float is not precise.
+  std::span<const std::uint16_t> imprecise() const {
+    return {imprecise_, std::size_t(imprecise_count_)};
+  }
 
  private:
   struct Corners;
-  void put_functions(const Corners& corners, int r, const FragmentSpan& span);
-  void put_sides(const Frame& frame, const Corners& corners, int r, FragmentSpan& span);
+  Doubles put_functions(const Corners& corners, int r, const FragmentSpan& span);
 
   FragmentSpan::PerRun column_;  // of that pixel
   FragmentSpan::PerRun first_[3], per_pixel_[3], inv_w_[3];
-  std::uint16_t others_[FragmentSpan::capacity];
-  int other_count_ = 0;
+  std::uint16_t imprecise_[FragmentSpan::capacity];
+  int imprecise_count_ = 0;
 };
 
 }  // namespace scanlit

@@ -38,6 +38,10 @@ struct FragmentSpan {
   int size = 0, run_count = 0;
   int pixels = 0;           // of all runs
   bool may_stride = false;  // strides.h
+  // Of each run its triangle's number in the tile, and past its last fragment; the rest is made of
+  // them when the span is full.
+  TriangleId triangle[padded];
+  std::uint32_t end[padded];
   Run runs[capacity];
   PerRun facing;                 // 1, or -1 where its normal is flipped to the viewer's side
   std::int32_t run[padded];      // of each fragment: the number of its run
@@ -45,7 +49,10 @@ struct FragmentSpan {
   float weight[padded];          // share of the pixel's samples, 0..1
   float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle
 
-  ScreenVertex corners[3][padded];  // of each run's triangle, to make them of
+  // To make them of, of each run: its triangle's corners, and its first pixel.
+  ScreenVertex corners[3][padded];
+  std::uint32_t first_pixel[padded];
+  std::vector<int> cut;  // runs of triangles that were cut
 
   // Runs of one fragment each that is not at its pixel's centre, and where it is, in 1/256 pixel.
   struct Centroid {
@@ -54,9 +61,15 @@ struct FragmentSpan {
   };
   std::vector<Centroid> centroids;
 
+  /// Runs that are not shaded at every pixel.
+  struct Strided {
+    int run, stride, pixels;
+  };
+  std::vector<Strided> strided;
+
   void clear() {
     size = run_count = pixels = 0;
-    centroids.clear();
+    cut.clear(), centroids.clear(), strided.clear();
   }
 
   // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.

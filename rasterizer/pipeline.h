@@ -14,8 +14,9 @@
 //                                           (binning.h)
 //   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
 //                                           (in which order, and what is hidden:
-//                                           tile_triangles.h, coarse_depth.h; many at once
-//                                           where they are tiny: tiny_triangles.h)
+//                                           tile_triangles.h, coarse_depth.h; many rows at
+//                                           once: row_spans.h; where triangles are tiny, many
+//                                           of them: tiny_triangles.h)
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
 //                                           (fragment_span.h)
 //                                           (where in their triangles: barycentric.h; which
@@ -270,6 +271,7 @@ struct VisibilityTile {
   int stride = 0;
   int samples = 1;
   std::vector<const DrawnTriangle*> triangles;  // that may touch the tile
+  std::uint32_t only_draw = no_id;              // whose they all are, if they are of one
   std::vector<float> depth;
   std::vector<TriangleId> triangle;
 

@@ -44,7 +44,7 @@ class Resolver {
  private:
   using Unsigned = hn::RebindToUnsigned<Batch::Tag>;
   static constexpr Unsigned unsigneds{};
-  static constexpr TriangleId mixed = no_triangle - 1;
+  static constexpr hn::RebindToSigned<Batch::Tag> ints{};
 
   // A row of triangles is indexed by the pixel's column in the picture; a vector may be read from
   // any of its pixels on.
@@ -53,17 +53,20 @@ class Resolver {
     return visibility_.triangle.data() + visibility_.row(sample, y) - visibility_.rect.x_begin;
   }
 
-  /// The one triangle that all of a pixel's samples see, or no_triangle, or `mixed`. The centre is
-  /// then covered too: it lies in the samples' convex hull.
+  /// The one triangle that all of a pixel's samples see, or no_triangle; where they see several,
+  /// split_pixels_ has the pixel. The centre is covered, too: it lies in the samples' convex hull.
   const TriangleId* whole_pixels(int y) {
     const Rect& touched = visibility_.touched;
     TriangleId* const row = own_row();
-    std::copy(sample_row(0, y) + touched.x_begin, sample_row(0, y) + touched.x_end,
-              row + touched.x_begin);
-    for (int s = 1; s < visibility_.samples; ++s) {
-      const TriangleId* const other = sample_row(s, y);
-      for (int x = touched.x_begin; x < touched.x_end; ++x)
-        row[x] = row[x] == other[x] ? row[x] : mixed;
+    const TriangleId* const first = sample_row(0, y);
+    for (int x = touched.x_begin; x < touched.x_end; ++x) {
+      const auto other = [&](int sample) { return sample_row(sample, y)[x] != first[x]; };
+      int s = 1;
+      while (s < visibility_.samples && !other(s)) ++s;
+      const bool split = s < visibility_.samples;
+      if (split) split_pixels_.push_back({x, y, 0});
+      row[x] = split ? no_triangle : first[x];
+      covered_pixels_ += split;
     }
     return row;
   }
@@ -81,22 +84,35 @@ class Resolver {
     return row_.data() - visibility_.rect.x_begin;
   }
 
-  /// Cuts a row into runs of one triangle, and gathers them.
+  /// Gathers a row's fragments: all at once where they are of one draw, else draw by draw.
   void resolve_row(int y, const Rect& pixels, const TriangleId* row) {
+    if (visibility_.only_draw != no_id) {
+      FragmentSpan& span = collector_.span_of(frame_.draws[visibility_.only_draw]);
+      if (!span.may_stride) return append_pixels(pixels.x_begin, pixels.x_end, y, row, span);
+    }
     const std::span<const std::int32_t> ends = run_ends(pixels, row);
     // Memory answers while the first runs are gathered.
     for (const int end : ends)
-      if (const TriangleId id = row[end - 1]; id < mixed) hwy::Prefetch(visibility_.triangles[id]);
-    int begin = pixels.x_begin;
+      if (const TriangleId id = row[end - 1]; id != no_triangle)
+        hwy::Prefetch(visibility_.triangles[id]);
+    int begin = pixels.x_begin, run = begin;
+    FragmentSpan* span = nullptr;  // of the runs from `begin` on
+    const auto append_open = [&](int end) {
+      if (span) append_pixels(begin, end, y, row, *span);
+    };
     for (const int end : ends) {
-      resolve_run(begin, end, y, row[begin]);
-      begin = end;
+      if (row[run] != no_triangle) {
+        FragmentSpan& own = span_of(*visibility_.triangles[row[run]]);
+        if (&own != span) append_open(run), begin = run, span = &own;
+        if (own.may_stride) append_stretches(run, y, end, row, own), span = nullptr;
+      }
+      run = end;
     }
+    append_open(pixels.x_end);
   }
 
   /// Past the last pixel of each run.
   std::span<const std::int32_t> run_ends(const Rect& pixels, const TriangleId* row) {
-    const hn::RebindToSigned<Batch::Tag> ints;
     ends_.resize(std::size_t(visibility_.stride));
     std::size_t count = 0;
     for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
@@ -110,38 +126,59 @@ class Resolver {
     return {ends_.data(), count};
   }
 
-  // Called for each run, which may be of one pixel: its parts are inlined, but for those that few
-  // runs come to.
-  void resolve_run(int begin, int end, int y, TriangleId id) {
-    if (id == no_triangle) return;
-    covered_pixels_ += end - begin;
-    if (id == mixed) {
-      for (int x = begin; x < end; ++x) split_pixels_.push_back({x, y, 0});
-      return;
+  /// Pixels [begin, end) of a row, of one draw or of none.
+  void append_pixels(int begin, int end, int y, const TriangleId* row, FragmentSpan& span) {
+    for (int until; begin < end; begin = until) {
+      if (span.size == FragmentSpan::capacity) shade(span);
+      until = std::min(end, begin + FragmentSpan::capacity - span.size);
+      append_fitting(begin, until, y, row, span);
     }
-    const DrawnTriangle& drawn = *visibility_.triangles[id];
-    FragmentSpan& span = span_of(drawn);
-    if (span.may_stride) return append_stretches(id, drawn, begin, y, end, span);
-    append_all(drawn, begin, y, end, span);
   }
 
-  void append_all(const DrawnTriangle& drawn, int begin, int y, int end, FragmentSpan& span) {
-    for (; begin < end; begin += FragmentSpan::capacity) {
-      const int count = std::min(end - begin, FragmentSpan::capacity);
-      append({.drawn = &drawn, .size = count, .pixels = count}, 1, span,
-             [&](int i) { return hn::Iota(unsigneds, packed_pixel(begin + i, y)); });
+  /// Those for which the span has room. A run may be of one pixel: vectors of pixels, instead of
+  /// loops over a run's.
+  void append_fitting(int begin, int end, int y, const TriangleId* row, FragmentSpan& span) {
+    int size = span.size, runs = span.run_count;
+    for (int x = begin; x < end; x += Batch::lanes) {
+      const auto id = hn::LoadU(unsigneds, row + x), next = hn::LoadU(unsigneds, row + x + 1);
+      const auto there = hn::FirstN(unsigneds, std::size_t(end - x));
+      const auto covered = hn::And(there, hn::Ne(id, hn::Set(unsigneds, no_triangle)));
+      const auto not_at_end = hn::FirstN(unsigneds, std::size_t(end - 1 - x));
+      const auto last = hn::AndNot(hn::And(not_at_end, hn::Eq(id, next)), covered);  // of a run
+      const auto fragment = hn::Add(count_before(covered), hn::Set(unsigneds, unsigned(size)));
+      const auto run = hn::Add(count_before(last), hn::Set(unsigneds, unsigned(runs)));
+      const auto pixel = hn::Iota(unsigneds, packed_pixel(x, y));
+      hn::StoreU(hn::Compress(pixel, covered), unsigneds, span.pixel + size);
+      hn::StoreU(hn::BitCast(ints, hn::Compress(run, covered)), ints, span.run + size);
+      Batch(1).store(span.weight + size);
+      hn::StoreU(hn::Compress(id, last), unsigneds, span.triangle + runs);
+      const auto past = hn::Add(fragment, hn::Set(unsigneds, 1u));
+      hn::StoreU(hn::Compress(past, last), unsigneds, span.end + runs);
+      size += int(hn::CountTrue(unsigneds, covered));
+      runs += int(hn::CountTrue(unsigneds, last));
     }
+    covered_pixels_ += size - span.size, span.pixels += size - span.size;
+    span.size = size, span.run_count = runs;
+  }
+
+  /// Of each lane: how many lanes before it are in the mask.
+  static hn::Vec<Unsigned> count_before(hn::Mask<Unsigned> mask) {
+    const auto one = hn::Set(unsigneds, 1u);
+    const auto before = hn::Sub(hn::Shl(one, hn::Iota(unsigneds, 0)), one);
+    const unsigned bits = bits_of(Batch::Mask{hn::RebindMask(Batch::tag, mask)});
+    return hn::PopulationCount(hn::And(hn::Set(unsigneds, bits), before));
   }
 
   /// Where strides are taken.
-  [[gnu::noinline]] void append_stretches(TriangleId id, const DrawnTriangle& drawn, int begin,
-                                          int y, int end, FragmentSpan& span) {
+  [[gnu::noinline]] void append_stretches(int begin, int y, int end, const TriangleId* row,
+                                          FragmentSpan& span) {
+    const TriangleId id = row[begin];
     while (begin < end) {
-      const auto [stride, until] = stride_at(id, drawn, begin, y, end);
+      const auto [stride, until] = stride_at(id, *visibility_.triangles[id], begin, y, end);
       if (stride > 1)
-        append_some(drawn, begin, y, until - begin, stride, span);
+        append_some(id, begin, y, until - begin, stride, span);
       else
-        append_all(drawn, begin, y, until, span);
+        append_pixels(begin, until, y, row, span);
       begin = until;
     }
   }
@@ -174,42 +211,60 @@ class Resolver {
   }
 
   /// Only every so many pixels, and the last.
-  void append_some(const DrawnTriangle& drawn, int x, int y, int count, int stride,
-                   FragmentSpan& span) {
+  void append_some(TriangleId id, int x, int y, int count, int stride, FragmentSpan& span) {
     const int size = (count - 2) / stride + 2;
-    append({.drawn = &drawn, .size = size, .stride = stride, .pixels = count}, 1, span, [&](int i) {
+    if (span.size + size > FragmentSpan::capacity) shade(span);
+    for (int i = 0; i < size; i += Batch::lanes) {
       const auto step =
           hn::Mul(hn::Iota(unsigneds, unsigned(i)), hn::Set(unsigneds, unsigned(stride)));
       const auto column = hn::Min(step, hn::Set(unsigneds, unsigned(count - 1)));
-      return hn::Add(hn::Set(unsigneds, packed_pixel(x, y)), column);
-    });
+      hn::StoreU(hn::Add(hn::Set(unsigneds, packed_pixel(x, y)), column), unsigneds,
+                 span.pixel + span.size + i);
+    }
+    span.strided.push_back({span.run_count, stride, count});
+    covered_pixels_ += count, span.pixels += count;
+    append_run(id, size, 1, span);
   }
 
-  struct NewRun {
-    const DrawnTriangle* drawn;
-    int size, stride = 1, pixels;
-  };
-  /// pixel(i) is a vector of the run's packed pixels, from its fragment i on.
-  template <class Pixel>
-  void append(const NewRun& run, float weight, FragmentSpan& span, const Pixel& pixel) {
-    if (span.size + run.size > FragmentSpan::capacity) shade(span);
-    const hn::RebindToSigned<Batch::Tag> ints;
-    const int first = span.size, r = span.run_count;
-    for (int i = 0; i < run.size; i += Batch::lanes) {
-      hn::StoreU(pixel(i), unsigneds, span.pixel + first + i);
-      hn::StoreU(hn::Set(ints, r), ints, span.run + first + i);
-      Batch(weight).store(span.weight + first + i);
+  /// A run whose pixels are there already.
+  void append_run(TriangleId id, int size, float weight, FragmentSpan& span) {
+    std::fill_n(span.run + span.size, size, span.run_count);
+    std::fill_n(span.weight + span.size, size, weight);
+    span.size += size;
+    span.triangle[span.run_count] = id;
+    span.end[span.run_count++] = std::uint32_t(span.size);
+  }
+
+  /// What follows from the runs' triangles.
+  void put_runs(FragmentSpan& span) const {
+    constexpr int ahead = 16;  // about as long as memory takes to answer
+    int first = 0;
+    for (int r = 0; r < span.run_count; ++r) {
+      const int later = std::min(r + ahead, span.run_count - 1);
+      hwy::Prefetch(visibility_.triangles[span.triangle[later]]);
+      const DrawnTriangle& drawn = *visibility_.triangles[span.triangle[r]];
+      for (int k = 0; k < 3; ++k) span.corners[k][r] = drawn.vertices[k];
+      if (drawn.piece != DrawnTriangle::not_cut) span.cut.push_back(r);
+      const auto size = std::uint16_t(int(span.end[r]) - first);
+      span.runs[r] = {&drawn, std::uint16_t(first), size, 1, size};
+      span.first_pixel[r] = span.pixel[first];
+      first += size;
+      // Shading asks for them next.
+      if (span.draw->object->shading == Shading::gouraud) {
+        const Chunk& chunk = frame_.chunks[drawn.chunk];
+        hwy::Prefetch(&chunk.lit.corners[3 * chunk.number_of(drawn)]);
+      } else {
+        hwy::Prefetch(&span.draw->mesh->indices[3 * std::size_t(drawn.triangle)]);
+      }
     }
-    for (int k = 0; k < 3; ++k) span.corners[k][r] = run.drawn->vertices[k];
-    span.runs[r] = {.drawn = run.drawn,
-                    .first = std::uint16_t(first),
-                    .size = std::uint16_t(run.size),
-                    .stride = std::uint8_t(run.stride),
-                    .pixels = std::uint16_t(run.pixels)};
-    span.size = first + run.size, span.run_count = r + 1, span.pixels += run.pixels;
+    for (const auto& [r, stride, pixels] : span.strided) {
+      span.runs[r].stride = std::uint8_t(stride);
+      span.runs[r].pixels = std::uint16_t(pixels);
+    }
   }
 
   [[gnu::noinline]] void shade(FragmentSpan& span) {
+    put_runs(span);
     put_barycentric(frame_, span);
     shade_(span);
     span.clear();
@@ -259,8 +314,10 @@ class Resolver {
     const bool centred = ExactWeights(frame_, drawn).holds(centre_x, centre_y);
     FragmentSpan& span = span_of(drawn);
     const float share = float(count) / float(visibility_.samples);
-    append({.drawn = &drawn, .size = 1, .pixels = 1}, share, span,
-           [&](int) { return hn::Set(unsigneds, packed_pixel(x, y)); });
+    if (span.size == FragmentSpan::capacity) shade(span);
+    span.pixel[span.size] = packed_pixel(x, y);
+    ++span.pixels;
+    append_run(seen_by(first), 1, share, span);
     if (!centred)
       span.centroids.push_back(
           {span.run_count - 1, centre_x + sum_x / count, centre_y + sum_y / count});

@@ -4,6 +4,7 @@
 
 #include "rasterizer/batch.h"
 #include "rasterizer/coarse_depth.h"
+#include "rasterizer/row_spans.h"
 #include "rasterizer/scalar_math.h"
 
 namespace scanlit {
@@ -81,108 +82,35 @@ struct Target {
   }
 };
 
-/// Span by span: for triangles that are wide.
-void draw_spans(const ScreenTriangle& triangle, const Drawn& drawn, const Target& target) {
-  const DepthPlane plane(triangle);
-  const RowWriter writer(plane, drawn);
-  const DepthPlane::Rows depth(plane);
-  Rect rows = target.rect;
-  if (target.columns) {
-    rows.y_begin = std::max(rows.y_begin, target.columns->first_row);
-    rows.y_end = std::min(rows.y_end, target.columns->end_row);
-  }
-  for_each_span(triangle, rows.y_begin, rows.y_end, [&](int y, int begin, int end) {
-    int first = std::max(begin, target.rect.x_begin), last = std::min(end, target.rect.x_end);
-    if (target.columns) {
-      const auto& range = target.columns->at_row(y);
-      first = std::max(first, range.begin), last = std::min(last, range.end);
-    }
-    if (first >= last) return;
-    // Anchored at the span's own first pixel, also where that is left of the tile: depth does not
-    // depend on how the picture is cut into tiles.
-    const float anchor = depth.at(begin, y);
-    for (int x = first; x < last; x += lanes) {
-      const Batch steps = Batch::iota(float(x - begin));
-      const auto at = target.offset(x, y);
-      writer.write(steps < Batch(float(last - begin)), steps, anchor, target.depth + at,
-                   target.triangle + at);
-    }
-  });
-}
-
-/// The three edge functions of a triangle over a small box, positive or zero inside.
-struct SmallEdges {
-  std::int32_t first[3];  // at the box's first pixel centre
-  std::int32_t per_column[3], per_row[3];
-
-  SmallEdges(const ScreenTriangle& triangle, const Rect& box) {
-    const auto& v = triangle.vertices;
-    const int sign = triangle.twice_area > 0 ? 1 : -1;
-#pragma GCC unroll 3
-    for (int i = 0; i < 3; ++i) {
-      const ScreenVertex &from = v[i], &to = v[i == 2 ? 0 : i + 1];
-      const std::int32_t dx = sign * (to.x - from.x), dy = sign * (to.y - from.y);
-      // A centre exactly on an edge counts for left edges (running down) and the top edge (running
-      // left) alone: for the others 0 becomes -1.
-      const bool top_left = (dy > 0) | ((dy == 0) & (dx < 0));
-      first[i] = dy * (box.x_begin * subpixel + half_pixel - from.x) -
-                 dx * (box.y_begin * subpixel + half_pixel - from.y) - (top_left ? 0 : 1);
-      per_column[i] = dy * subpixel;
-      per_row[i] = -dx * subpixel;
-    }
-  }
-};
-
-/// Lanes where none of three edge functions is negative.
-Batch::Mask inside(const hn::Vec<Ints> (&edge)[3]) {
-  // The sign bit of the three together is set where any of them is negative.
-  const auto any_negative = hn::Or(edge[0], hn::Or(edge[1], edge[2]));
-  return {hn::RebindMask(Batch::tag, hn::Gt(any_negative, hn::Set(ints, -1)))};
-}
-
-/// Row by row with the edge functions of all of a row's pixels at once: for triangles so small that
-/// following their edges costs more than testing every pixel of their box. Covers exactly what
-/// draw_spans covers, at the same depths.
-void draw_small(const ScreenTriangle& triangle, const Drawn& drawn, const Rect& box,
-                const Target& target) {
-  const DepthPlane plane(triangle);
-  const RowWriter writer(plane, drawn);
-  const SmallEdges edges(triangle, box);
-  hn::Vec<Ints> per_lane[3];
-#pragma GCC unroll 3
-  for (int i = 0; i < 3; ++i)
-    per_lane[i] = hn::Mul(hn::Iota(ints, 0), hn::Set(ints, edges.per_column[i]));
-  for (int y = box.y_begin; y < box.y_end; ++y) {
-    float anchor = 0;
-    int anchor_x = box.x_end;
-    for (int x = box.x_begin; x < box.x_end; x += lanes) {
-      hn::Vec<Ints> edge[3];
-#pragma GCC unroll 3
-      for (int i = 0; i < 3; ++i)
-        edge[i] = hn::Add(hn::Set(ints, edges.first[i] + (y - box.y_begin) * edges.per_row[i] +
-                                            (x - box.x_begin) * edges.per_column[i]),
-                          per_lane[i]);
-      const Batch::Mask in_box =
-          Batch::iota(float(x - box.x_begin)) < Batch(float(box.x_end - box.x_begin));
-      const Batch::Mask covered = inside(edge) & in_box;
-      if (none(covered)) continue;
-      if (anchor_x == box.x_end) {
-        anchor_x = x + int(hn::FindFirstTrue(Batch::tag, covered.raw));
-        anchor = plane.at(anchor_x, y);
-      }
-      const auto at = target.offset(x, y);
-      writer.write(covered, Batch::iota(float(x - anchor_x)), anchor, target.depth + at,
-                   target.triangle + at);
-    }
-  }
-}
-
 void draw(const ScreenTriangle& triangle, const Drawn& drawn, const Target& target) {
-  const Rect box = centre_bounds(triangle);
-  if (!in_small_box(box, target.rect)) return draw_spans(triangle, drawn, target);
-  const Rect part{box.x_begin, std::max(box.y_begin, target.rect.y_begin),
-                  std::min(box.x_end, target.rect.x_end), std::min(box.y_end, target.rect.y_end)};
-  draw_small(triangle, drawn, part, target);
+  const DepthPlane plane(triangle);
+  const RowWriter writer(plane, drawn);
+  const RowSpans spans(triangle, plane);
+  Rect part = intersection(target.rect, centre_bounds(triangle));
+  if (target.columns) {
+    part.y_begin = std::max(part.y_begin, target.columns->first_row);
+    part.y_end = std::min(part.y_end, target.columns->end_row);
+  }
+  for (int first_row = part.y_begin; first_row < part.y_end; first_row += lanes) {
+    const RowSpans::Rows rows = spans.from(first_row);
+    for (int y = first_row; y < std::min(first_row + lanes, part.y_end); ++y) {
+      const int begin = rows.begin[y - first_row], end = rows.end[y - first_row];
+      int first = std::max(begin, part.x_begin), last = std::min(end, part.x_end);
+      if (target.columns) {
+        const auto& range = target.columns->at_row(y);
+        first = std::max(first, range.begin), last = std::min(last, range.end);
+      }
+      // Anchored at the span's own first pixel, also where that is left of the tile: depth does not
+      // depend on how the picture is cut into tiles.
+      const float anchor = rows.depth[y - first_row];
+      for (int x = first; x < last; x += lanes) {
+        const Batch steps = Batch::iota(float(x - begin));
+        const auto at = target.offset(x, y);
+        writer.write(steps < Batch(float(last - begin)), steps, anchor, target.depth + at,
+                     target.triangle + at);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -191,6 +119,7 @@ void VisibilityTile::reset(const Rect& tile, const Rect& touched_pixels, int sam
   rect = tile;
   touched = touched_pixels;
   triangles.clear();
+  only_draw = no_id;
   samples = sample_count;
   const int width = tile.x_end - tile.x_begin, height = tile.y_end - tile.y_begin;
   // A vector that starts at a row's last pixel must stay inside the arrays.

@@ -24,17 +24,6 @@ inline Rect centre_bounds(const ScreenTriangle& triangle) {
   return {(x_min + up) >> 8, (y_min + up) >> 8, (x_max + up) >> 8, (y_max + up) >> 8};
 }
 
-/// Whether a triangle with this box is scan-converted by its edge functions at every pixel of it,
-/// wherever it may be seen. At most 16 x 16 pixels: edge functions are below 2^27 there, and 32
-/// bits hold them. The anchor of depth must be the row's first covered pixel, so the box is cut at
-/// the tile's rows but, on its left, not at its columns; boxes that straddle tiles go the general
-/// way.
-inline bool in_small_box(const Rect& box, const Rect& tile) {
-  constexpr int small_size = 16;
-  return box.x_end - box.x_begin <= small_size && box.y_end - box.y_begin <= small_size &&
-         box.x_begin >= tile.x_begin;
-}
-
 inline std::int64_t floor_divide(std::int64_t a, std::int64_t positive) {
   const std::int64_t q = a / positive;
   return q - (a % positive < 0);
@@ -135,7 +124,7 @@ class DepthPlane {
     const std::int64_t y = std::int64_t(row) * subpixel + half_pixel;
     const double weight_b = double(edge_function(c_, a_, x, y));
     const double weight_c = double(edge_function(a_, b_, x, y));
-    return depth(weight_b, weight_c);
+    return float(depth(weight_b, weight_c));
   }
   /// Change from one pixel to the next in a row.
   float per_pixel() const {
@@ -143,7 +132,8 @@ class DepthPlane {
     return float((weight_b * to_b_ + weight_c * to_c_) * inverse_area_ * subpixel);
   }
 
-  /// at() for many pixels: the same whole numbers, added up as doubles, which hold them exactly.
+  /// at() for many pixels, not rounded yet; in double or vectors of doubles. The same whole
+  /// numbers, added up as doubles, which hold them exactly.
   class Rows {
    public:
     explicit Rows(const DepthPlane& plane)
@@ -155,9 +145,10 @@ class DepthPlane {
           c_per_column_(double(plane.b_.y - plane.a_.y) * subpixel),
           c_per_row_(double(plane.a_.x - plane.b_.x) * subpixel) {}
 
-    float at(int column, int row) const {
-      return plane_.depth(b_ + double(column) * b_per_column_ + double(row) * b_per_row_,
-                          c_ + double(column) * c_per_column_ + double(row) * c_per_row_);
+    template <class T>
+    T at(const T& column, const T& row) const {
+      return plane_.depth(T(b_) + column * T(b_per_column_) + row * T(b_per_row_),
+                          T(c_) + column * T(c_per_column_) + row * T(c_per_row_));
     }
 
    private:
@@ -169,8 +160,9 @@ class DepthPlane {
   float max() const { return std::max(a_.depth, std::max(b_.depth, c_.depth)); }
 
  private:
-  float depth(double weight_b, double weight_c) const {
-    return float(double(a_.depth) + (weight_b * to_b_ + weight_c * to_c_) * inverse_area_);
+  template <class T>
+  T depth(const T& weight_b, const T& weight_c) const {
+    return T(double(a_.depth)) + (weight_b * T(to_b_) + weight_c * T(to_c_)) * T(inverse_area_);
   }
 
   const ScreenVertex &a_, &b_, &c_;

@@ -31,6 +31,9 @@ void TileTriangles::gather(const Frame& frame, int tile, VisibilityTile& visibil
   if (parts_.empty()) touched = {rect.x_begin, rect.y_begin, rect.x_begin, rect.y_begin};
   if (!skips.empty_pixels) touched = rect;
   visibility.reset(rect, touched, frame.settings.samples);
+  const auto of_first = [&](const Part& part) { return part.chunk->draw == parts_[0].chunk->draw; };
+  if (!parts_.empty() && std::ranges::all_of(parts_, of_first))
+    visibility.only_draw = parts_[0].chunk->draw->index;
 
   one_by_one_ = !skips.unseen_triangles || !skips.hidden_fragments;
   // Boxes are about twice as large as their triangles: four times over is two layers. Large

@@ -100,8 +100,8 @@ class TinyTriangles {
     depth_ = Doubles::from(depth[0]);
     to_b_ = Doubles::from(depth[1]) - depth_;
     to_c_ = Doubles::from(depth[2]) - depth_;
-    inverse_area_ = Doubles::all(1) / Doubles::from(oriented(area));
-    per_pixel_ = (linear(dy_[2], dy_[0]) * Doubles::all(subpixel)).rounded();
+    inverse_area_ = Doubles(1) / Doubles::from(oriented(area));
+    per_pixel_ = (linear(dy_[2], dy_[0]) * Doubles(subpixel)).rounded();
     min_ = min(depth[0], min(depth[1], depth[2]));
     max_ = max(depth[0], max(depth[1], depth[2]));
   }
@@ -165,7 +165,7 @@ class TinyTriangles {
   const Boxes& boxes_;
   IntVector corner_[3];  // edge functions at the upper left corner of the box
   IntVector dx_[3], dy_[3], on_edge_[3];
-  Doubles depth_, to_b_, to_c_, inverse_area_;
+  Doubles depth_ = 0, to_b_ = 0, to_c_ = 0, inverse_area_ = 0;
   Batch per_pixel_, min_, max_;
 };
 

@@ -45,6 +45,24 @@ TEST(CosinePow, StatedErrorUpToExponent1e5) {
   EXPECT_LE(worst_float, 1.6e-7);
 }
 
+TEST(CosinePow, StatedErrorOfWholeExponents) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (const int n : {0, 1, 2, 5, 32, 50, 63, 64}) {
+    double worst = 0;
+    for (int round = 0; round < 20000; ++round) {
+      const auto versine = float(unit(random) * unit(random));
+      const double exact = std::exp(n * std::log1p(-double(versine)));
+      const double power = first_lane(pow(Cosine<Batch>::of_versine(versine), double(n)));
+      worst = std::max(worst, std::abs(power - exact));
+    }
+    EXPECT_LE(worst, 1e-7 * n) << n;
+  }
+  const auto right_angle = Cosine<Batch>::of_versine(Batch(1.0000001f));
+  EXPECT_EQ(first_lane(pow(right_angle, 3.0)), 0);
+  EXPECT_EQ(first_lane(pow(right_angle, 0.0)), 1);
+}
+
 TEST(CosinePow, AtAndBeyondARightAngle) {
   for (const float versine : {1.0f, 1.0000001f, 1.5f, 2.0f}) {
     const auto c = Cosine<Batch>::of_versine(versine);
