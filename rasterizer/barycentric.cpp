@@ -171,9 +171,13 @@ void put_barycentric(const Frame& frame, FragmentSpan& span) {
     put_exactly(frame, r, double(pixel & 0xffff) * subpixel + half_pixel,
                 double(pixel >> 16) * subpixel + half_pixel, span);
   };
-  for (const int r : edges.imprecise()) put(r);
-  for (const int r : span.cut) put(r);
-  for (int r = 0; span.with_derivatives && r < span.run_count; ++r) put(r);
+  if (span.with_derivatives) {
+    for (int r = 0; r < span.run_count; ++r) put(r);
+  } else {
+    for (const int r : span.cut) put(r);
+    for (const int r : edges.imprecise())
+      if (span.runs[r].drawn->piece == DrawnTriangle::not_cut) put(r);
+  }
   for (const auto& [r, x, y] : span.centroids) put_exactly(frame, r, x, y, span);
 }
 

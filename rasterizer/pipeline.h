@@ -18,7 +18,7 @@
 //                                           once: row_spans.h; where triangles are tiny, many
 //                                           of them: tiny_triangles.h)
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
-//                                           (fragment_span.h)
+//                                           (fragment_span.h, filled in span_filling.h)
 //                                           (where in their triangles: barycentric.h; which
 //                                           may be interpolated, on request: strides.h)
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world

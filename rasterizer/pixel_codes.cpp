@@ -64,6 +64,16 @@ Rgb<Batch> PixelEncoder::srgb_codes(const Rgb<Batch>& linear) {
          Batch(255);
 }
 
+/// Where rounding errors may decide between two codes, by the table.
+hn::Vec<PixelEncoder::Tag> PixelEncoder::checked(const Rgb<Batch>& linear) const {
+  const Rgb<Batch> scaled = !srgb_  ? linear * Batch(255)
+                            : near_ ? near_srgb_codes(linear)
+                                    : srgb_codes(linear);
+  const Rounded red(scaled.r), green(scaled.g), blue(scaled.b);
+  if (!near_ && !none(max(max(red.off, green.off), blue.off) > limit_)) return exact(linear);
+  return packed(red.code, green.code, blue.code);
+}
+
 hn::Vec<PixelEncoder::Tag> PixelEncoder::exact(const Rgb<Batch>& linear) const {
   const auto codes = [&](const Batch& channel) {
     float values[Batch::lanes];

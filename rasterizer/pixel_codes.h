@@ -45,17 +45,25 @@ class PixelEncoder {
   /// R in the lowest 8 bits, then G, B, and alpha 255.
   hn::Vec<Tag> opaque(const Batch& r, const Batch& g, const Batch& b) const {
     const Rgb<Batch> linear{clamped(r), clamped(g), clamped(b)};
-    const Rgb<Batch> scaled = !srgb_  ? linear * Batch(255)
-                              : near_ ? near_srgb_codes(linear)
-                                      : srgb_codes(linear);
-    const Rounded red(scaled.r), green(scaled.g), blue(scaled.b);
-    if (!near_ && !none(max(max(red.off, green.off), blue.off) > limit_)) return exact(linear);
-    return packed(red.code, green.code, blue.code);
+    if (srgb_ || !fused) return checked(linear);
+    return packed(product_code(linear.r), product_code(linear.g), product_code(linear.b));
   }
   /// RGBA pixels to as many bytes; alpha is linear.
   void row(std::span<const float> rgba, std::uint8_t* out) const;
 
  private:
+  static constexpr bool fused = HWY_NATIVE_FMA;  // mul_add is
+
+  hn::Vec<Tag> checked(const Rgb<Batch>& linear) const;
+  /// 255 x to the nearest whole number, where mul_add is fused: rounded once, it needs no check.
+  static hn::Vec<Tag> product_code(const Batch& x) {
+    return lowest_byte(mul_add(x, Batch(255), Batch(rounder)));
+  }
+  /// Adding 1.5 * 2^23 rounds to a whole number, which then stands in the lowest bits.
+  static constexpr float rounder = 12582912.0f;
+  static hn::Vec<Tag> lowest_byte(const Batch& shifted) {
+    return hn::And(hn::BitCast(Tag(), shifted.raw), hn::Set(Tag(), 255));
+  }
   /// NaN becomes 0.
   static Batch clamped(const Batch& linear) { return min(max(linear, Batch(0)), Batch(1)); }
 
@@ -65,9 +73,8 @@ class PixelEncoder {
     Batch off;
 
     explicit Rounded(const Batch& x) {
-      // Adding 1.5 * 2^23 rounds to a whole number, which then stands in the lowest bits.
-      const Batch whole(12582912.0f), shifted = x + whole;
-      code = hn::And(hn::BitCast(Tag(), shifted.raw), hn::Set(Tag(), 255));
+      const Batch whole(rounder), shifted = x + whole;
+      code = lowest_byte(shifted);
       off = abs(x - (shifted - whole));
     }
   };

@@ -21,7 +21,11 @@ class EightBitEncoder {
     const auto linear = [&](double code) {
       return encoding == Encoding::srgb ? linear_from_srgb(code / 255) : code / 255;
     };
-    for (int code = 1; code <= 256; ++code) threshold_[code] = float(linear(code - 0.5));
+    for (int code = 1; code <= 256; ++code) {
+      const double threshold = linear(code - 0.5);
+      threshold_[code] = float(threshold);
+      if (threshold_[code] < threshold) threshold_[code] = std::nextafterf(threshold_[code], 2);
+    }
     for (int i = 0, code = 0; i < guess_count; ++i) {
       while (float(i) / guess_count >= threshold_[code + 1]) ++code;
       guess_[i] = std::uint8_t(code);

@@ -1,0 +1,87 @@
+#include "rasterizer/span_filling.h"
+
+#include <hwy/cache_control.h>
+
+#include <algorithm>
+
+#include "rasterizer/batch.h"
+
+namespace scanlit {
+
+namespace {
+
+using Unsigned = hn::RebindToUnsigned<Batch::Tag>;
+constexpr Unsigned unsigneds;
+constexpr hn::RebindToSigned<Batch::Tag> ints;
+
+/// Of each lane: how many lanes before it are in the mask.
+hn::Vec<Unsigned> count_before(hn::Mask<Unsigned> mask) {
+  const auto one = hn::Set(unsigneds, 1u);
+  const auto before = hn::Sub(hn::Shl(one, hn::Iota(unsigneds, 0)), one);
+  const unsigned bits = bits_of(Batch::Mask{hn::RebindMask(Batch::tag, mask)});
+  return hn::PopulationCount(hn::And(hn::Set(unsigneds, bits), before));
+}
+
+}  // namespace
+
+// A run may be of one pixel: vectors of pixels, instead of loops over a run's.
+void append_fitting(int begin, int end, int y, const TriangleId* row, FragmentSpan& span) {
+  int size = span.size, runs = span.run_count;
+  for (int x = begin; x < end; x += Batch::lanes) {
+    const auto id = hn::LoadU(unsigneds, row + x), next = hn::LoadU(unsigneds, row + x + 1);
+    const auto there = hn::FirstN(unsigneds, std::size_t(end - x));
+    const auto covered = hn::And(there, hn::Ne(id, hn::Set(unsigneds, no_triangle)));
+    const auto not_at_end = hn::FirstN(unsigneds, std::size_t(end - 1 - x));
+    const auto last = hn::AndNot(hn::And(not_at_end, hn::Eq(id, next)), covered);  // of a run
+    const auto fragment = hn::Add(count_before(covered), hn::Set(unsigneds, unsigned(size)));
+    const auto run = hn::Add(count_before(last), hn::Set(unsigneds, unsigned(runs)));
+    const auto pixel = hn::Iota(unsigneds, packed_pixel(x, y));
+    hn::StoreU(hn::Compress(pixel, covered), unsigneds, span.pixel + size);
+    hn::StoreU(hn::BitCast(ints, hn::Compress(run, covered)), ints, span.run + size);
+    Batch(1).store(span.weight + size);
+    hn::StoreU(hn::Compress(id, last), unsigneds, span.triangle + runs);
+    const auto past = hn::Add(fragment, hn::Set(unsigneds, 1u));
+    hn::StoreU(hn::Compress(past, last), unsigneds, span.end + runs);
+    size += int(hn::CountTrue(unsigneds, covered));
+    runs += int(hn::CountTrue(unsigneds, last));
+  }
+  span.pixels += size - span.size;
+  span.size = size, span.run_count = runs;
+}
+
+void append_run(TriangleId id, int size, float weight, FragmentSpan& span) {
+  std::fill_n(span.run + span.size, size, span.run_count);
+  std::fill_n(span.weight + span.size, size, weight);
+  span.size += size;
+  span.triangle[span.run_count] = id;
+  span.end[span.run_count++] = std::uint32_t(span.size);
+}
+
+void put_runs(const Frame& frame, const VisibilityTile& visibility, FragmentSpan& span) {
+  constexpr int ahead = 16;  // about as long as memory takes to answer
+  int first = 0;
+  for (int r = 0; r < span.run_count; ++r) {
+    const int later = std::min(r + ahead, span.run_count - 1);
+    hwy::Prefetch(visibility.triangles[span.triangle[later]]);
+    const DrawnTriangle& drawn = *visibility.triangles[span.triangle[r]];
+    for (int k = 0; k < 3; ++k) span.corners[k][r] = drawn.vertices[k];
+    if (drawn.piece != DrawnTriangle::not_cut) span.cut.push_back(r);
+    const auto size = std::uint16_t(int(span.end[r]) - first);
+    span.runs[r] = {&drawn, std::uint16_t(first), size, 1, size};
+    span.first_pixel[r] = span.pixel[first];
+    first += size;
+    // Shading asks for them next.
+    if (span.draw->object->shading == Shading::gouraud) {
+      const Chunk& chunk = frame.chunks[drawn.chunk];
+      hwy::Prefetch(&chunk.lit.corners[3 * chunk.number_of(drawn)]);
+    } else {
+      hwy::Prefetch(&span.draw->mesh->indices[3 * std::size_t(drawn.triangle)]);
+    }
+  }
+  for (const auto& [r, stride, pixels] : span.strided) {
+    span.runs[r].stride = std::uint8_t(stride);
+    span.runs[r].pixels = std::uint16_t(pixels);
+  }
+}
+
+}  // namespace scanlit
