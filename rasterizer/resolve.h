@@ -247,7 +247,7 @@ class Resolver {
     FragmentSpan& span = span_of(drawn);
     const float share = float(count) / float(visibility_.samples);
     if (span.size == FragmentSpan::capacity) shade(span);
-    span.pixel[span.size] = packed_pixel(x, y);
+    hn::StoreU(hn::Set(unsigneds, packed_pixel(x, y)), unsigneds, span.pixel + span.size);
     ++span.pixels;
     append_run(seen_by(first), 1, share, span);
     if (!centred)

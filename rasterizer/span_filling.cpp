@@ -50,8 +50,11 @@ void append_fitting(int begin, int end, int y, const TriangleId* row, FragmentSp
 }
 
 void append_run(TriangleId id, int size, float weight, FragmentSpan& span) {
-  std::fill_n(span.run + span.size, size, span.run_count);
-  std::fill_n(span.weight + span.size, size, weight);
+  // Whole vectors: whether a light reaches the span's last one is asked of all its lanes.
+  for (int i = span.size; i < span.size + size; i += Batch::lanes) {
+    hn::StoreU(hn::Set(ints, span.run_count), ints, span.run + i);
+    Batch(weight).store(span.weight + i);
+  }
   span.size += size;
   span.triangle[span.run_count] = id;
   span.end[span.run_count++] = std::uint32_t(span.size);

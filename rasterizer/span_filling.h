@@ -10,7 +10,8 @@ namespace scanlit {
 /// read from any of the pixels and from the one after it.
 void append_fitting(int begin, int end, int y, const TriangleId* row, FragmentSpan& span);
 
-/// Appends a run of one triangle whose pixels stand behind the span's last already.
+/// Appends a run of one triangle, whose pixels stand behind the span's last already: up to a whole
+/// vector, where the last ones may be any.
 void append_run(TriangleId id, int size, float weight, FragmentSpan& span);
 
 /// Of a span that is full: what follows from its runs' triangles.
