@@ -2,8 +2,6 @@
 // triangles and not over pixels: position by position in all their boxes at once.
 #include "rasterizer/tiny_triangles.h"
 
-#include <bit>
-
 #include "rasterizer/doubles.h"
 #include "rasterizer/scan_conversion.h"
 
@@ -72,6 +70,23 @@ struct Boxes {
   }
 };
 
+/// Fragments of the triangles. Collected first: loops over a few pixels here and a few there would
+/// end where the processor does not expect it.
+struct Fragments {
+  static constexpr int padded = max_lanes * tiny_size * tiny_size + max_lanes;
+  int count = 0;
+  std::int32_t lane[padded], place[padded];
+  float depth[padded];
+
+  void append(IntMask covered, IntVector places, const Batch& depths) {
+    hn::StoreU(hn::Compress(hn::Iota(ints, 0), covered), ints, lane + count);
+    hn::StoreU(hn::Compress(places, covered), ints, place + count);
+    const auto floats = hn::RebindMask(Batch::tag, covered);
+    hn::StoreU(hn::Compress(depths.raw, floats), Batch::tag, depth + count);
+    count += int(hn::CountTrue(ints, covered));
+  }
+};
+
 class TinyTriangles {
  public:
   TinyTriangles(const Corners& corners, const Boxes& boxes) : boxes_(boxes) {
@@ -106,10 +121,11 @@ class TinyTriangles {
     max_ = max(depth[0], max(depth[1], depth[2]));
   }
 
-  /// put(lane, pixel, depth) for each covered pixel, which the triangle's box counts: by rows of
+  /// Of the covered pixels, whose places in the tile begin at the box's `corner` and go by rows of
   /// `stride`.
-  template <class Put>
-  void for_each_fragment(const SampleOffset& offset, int stride, const Put& put) const {
+  void find_fragments(const SampleOffset& offset, IntVector corner, int stride,
+                      Fragments& found) const {
+    found.count = 0;
     const int columns = hn::GetLane(hn::MaxOfLanes(ints, boxes_.width));
     const int rows = hn::GetLane(hn::MaxOfLanes(ints, boxes_.height));
     IntVector row_start[3], per_column[3];
@@ -123,14 +139,14 @@ class TinyTriangles {
     for (int row = 0; row < rows; ++row) {
       IntVector edge[3] = {row_start[0], row_start[1], row_start[2]};
       const IntMask in_rows = hn::Gt(boxes_.height, set(row));
-      unsigned covered[tiny_size];
+      IntMask covered[tiny_size];
       // The first covered pixel of the row, and its edge functions.
       IntVector first_column = set(columns), first_b = edge[2], first_c = edge[0];
       for (int column = 0; column < columns; ++column) {
         // The sign bit of the three together is set where any of them is negative.
         const IntMask inside = hn::Gt(hn::Or(edge[0], hn::Or(edge[1], edge[2])), set(-1));
         const IntMask here = hn::And(inside, hn::And(in_rows, hn::Gt(boxes_.width, set(column))));
-        covered[column] = bits_of(here);
+        covered[column] = here;
         const IntMask is_first = hn::And(here, hn::Gt(first_column, set(column)));
         first_column = hn::IfThenElse(is_first, set(column), first_column);
         first_b = hn::IfThenElse(is_first, edge[2], first_b);
@@ -141,15 +157,9 @@ class TinyTriangles {
       const Batch anchor =
           (depth_ + linear(hn::Sub(first_b, on_edge_[2]), hn::Sub(first_c, on_edge_[0]))).rounded();
       for (int column = 0; column < columns; ++column) {
-        if (covered[column] == 0) continue;
         const Batch steps = hn::ConvertTo(Batch::tag, hn::Sub(set(column), first_column));
-        const int pixel = row * stride + column;
-        float depths[max_lanes];
-        min(max(anchor + steps * per_pixel_, min_), max_).store(depths);
-        for (unsigned bits = covered[column]; bits != 0; bits &= bits - 1) {
-          const int lane = std::countr_zero(bits);
-          put(lane, pixel, depths[lane]);
-        }
+        const IntVector place = hn::Add(corner, set(row * stride + column));
+        found.append(covered[column], place, min(max(anchor + steps * per_pixel_, min_), max_));
       }
 #pragma GCC unroll 3
       for (int i = 0; i < 3; ++i) row_start[i] = hn::Sub(row_start[i], hn::ShiftLeft<8>(dx_[i]));
@@ -177,28 +187,27 @@ unsigned scan_convert_tiny(std::span<const DrawnTriangle> triangles, TriangleId 
   const Boxes boxes(corners, int(triangles.size()), visibility);
   if (boxes.tiny == 0) return boxes.other;
   const TinyTriangles tiny(corners, boxes);
-  std::int32_t offsets[max_lanes];
+  Fragments fragments;
   const Rect& rect = visibility.rect;
-  const IntVector offset =
+  const IntVector corner =
       hn::Add(hn::Mul(hn::Sub(boxes.y, set(rect.y_begin)), set(visibility.stride)),
               hn::Sub(boxes.x, set(rect.x_begin)));
-  hn::StoreU(offset, ints, offsets);
   const auto samples = sample_offsets(visibility.samples);
   for (int sample = 0; sample < visibility.samples; ++sample) {
     const std::size_t plane = visibility.row(sample, rect.y_begin);
     float* const depths = visibility.depth.data() + plane;
     TriangleId* const ids = visibility.triangle.data() + plane;
-    tiny.for_each_fragment(
-        samples[std::size_t(sample)], visibility.stride, [&](int lane, int pixel, float z) {
-          const std::ptrdiff_t at = offsets[lane] + pixel;
-          const TriangleId id = first + TriangleId(lane), there = ids[at];
-          const float stored = depths[at];
-          bool nearer = z > stored;
-          if (z == stored && z > 0)
-            nearer = drawn_before(*visibility.triangles[id], *visibility.triangles[there]);
-          depths[at] = nearer ? z : stored;
-          ids[at] = nearer ? id : there;
-        });
+    tiny.find_fragments(samples[std::size_t(sample)], corner, visibility.stride, fragments);
+    for (int i = 0; i < fragments.count; ++i) {
+      const int at = fragments.place[i];
+      const TriangleId id = first + TriangleId(fragments.lane[i]), there = ids[at];
+      const float z = fragments.depth[i], stored = depths[at];
+      bool nearer = z > stored;
+      if (z == stored && z > 0)
+        nearer = drawn_before(*visibility.triangles[id], *visibility.triangles[there]);
+      depths[at] = nearer ? z : stored;
+      ids[at] = nearer ? id : there;
+    }
   }
   return boxes.other;
 }
