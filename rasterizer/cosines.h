@@ -60,7 +60,7 @@ T pow(const Cosine<T>& c, const T& n) {
 /// The same where n is one number for all points: whole ones up to 64 by multiplications alone, in
 /// a third of the time. Maximum error of those: 1e-7 n, of the 1 at the peak.
 inline Batch pow(const Cosine<Batch>& c, double n) {
-  if (!(n <= 64 && n == std::floor(n))) return pow(c, Batch(n));
+  if (!(n >= 0 && n <= 64 && n == std::floor(n))) return pow(c, Batch(n));
   Batch power(1), square = max(c.cos, Batch(0));  // cos^(2^i)
   for (auto bits = unsigned(n); bits != 0; bits >>= 1, square = square * square)
     if (bits & 1) power = power * square;
