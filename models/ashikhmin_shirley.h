@@ -34,8 +34,8 @@ struct AshikhminShirley {
     // N.H is at most 1, so V.H = (N.L + N.V) / (2 N.H) is at least (N.L) / 2: also where l = -v
     // and what rounding leaves of V.H is 0.
     const T v_h = max(c.v_h, T(0.5) * c.n_l);
-    const T exponent = microfacet::exponent_towards(f.h, nu, nv);
-    const T lobe = T(sqrt((nu + P(1)) * (nv + P(1))) * P(0.125)) * pow(c.n_h, exponent);
+    const T lobe = T(sqrt((nu + P(1)) * (nv + P(1))) * P(0.125)) *
+                   microfacet::power_towards(c.n_h, f.h, nu, nv);
     const Rgb<T> reflectance = rs * one;
     const Rgb<T> fresnel = reflectance + (Rgb<T>(one) - reflectance) * power5(one - v_h);
     const Rgb<T> transmitted = rd * (Rgb<T>(one) - reflectance);

@@ -7,15 +7,17 @@
 // With t the distance along the row, in any unit, X(t) a function of it, and a, b any two places:
 //
 //   lo <= X(t) <= hi
-//   |X(a) - X(b)|   <= slope |a - b|        1e30 (no_limit): X may jump
-//   |X'(a) - X'(b)| <= curvature |a - b|    1e30: X may have kinks. Never less than it is at most
+//   |X(a) - X(b)|   <= slope |a - b|               1e30 (no_limit): X may jump
+//   |X'(a) - X'(b)| <= curvature |a - b| + kink    as min and max have kinks, however many
 //
 // so that the straight line from X(a) to X(b) misses X between them, h = |b - a|, by at most
 //
-//   min(h^2 / 8 curvature, h / 2 slope, hi - lo)                                  (missed_by below)
+//   min(h^2 / 8 curvature + h / 4 kink, h / 2 slope, hi - lo)                     (missed_by below)
 //
-// The first is the error of linear interpolation where X'' is bounded, or X' is Lipschitz. Where
-// nothing is known the slope is NaN, and whatever is computed from it remains so.
+// Its first term is the error of linear interpolation where X' is Lipschitz. Its second: what X has
+// gained over the line rises at a rate p for a time and falls at a rate q for the rest, and p + q
+// is at most the kink. Where nothing is known the slope is NaN, and whatever is computed from it
+// remains so.
 //
 // Rounding. Intervals are rounded outwards: after each operation by more than twice its maximum
 // error in Batch, so that the interval holds the exact result and Batch's own. Slopes and
@@ -56,7 +58,7 @@ class Bounded {
   static constexpr float padding = 3e-7f, least = 1e-37f;
 
   Batch lo, hi;
-  Batch slope = 0, curvature = 0;
+  Batch slope = 0, curvature = 0, kink = 0;
 
   Bounded() : lo(0), hi(0) {}
   Bounded(Batch constant) : lo(constant), hi(constant) {}
@@ -66,14 +68,19 @@ class Bounded {
     if (double(float(constant)) != constant) *this = rounded_outwards(lo, hi, padding);
   }
   Bounded(int constant) : Bounded(Batch(constant)) {}
-  Bounded(Batch least_value, Batch greatest, Batch max_slope, Batch max_curvature)
-      : lo(least_value), hi(greatest), slope(max_slope), curvature(max_curvature) {}
+  Bounded(Batch least_value, Batch greatest, Batch max_slope, Batch max_curvature,
+          Batch max_kink = 0)
+      : lo(least_value), hi(greatest), slope(max_slope), curvature(max_curvature), kink(max_kink) {}
 
   /// From the bounds that a Batch gives, whose error is at most `relative`, half the padding.
   static Bounded rounded_outwards(Batch lo, Batch hi, Batch relative, Batch slope = 0,
-                                  Batch curvature = 0) {
+                                  Batch curvature = 0, Batch kink = 0) {
     return {lo - mul_add(abs(lo), relative, least), hi + mul_add(abs(hi), relative, least), slope,
-            curvature};
+            curvature, kink};
+  }
+  /// The same, with an interval that is wider by so much.
+  Bounded widened(Batch relative) const {
+    return rounded_outwards(lo, hi, relative, slope, curvature, kink);
   }
   /// Anything from lo to hi, that may jump.
   static Bounded between(Batch lo, Batch hi) { return {lo, hi, no_limit, no_limit}; }
@@ -83,33 +90,38 @@ class Bounded {
   /// The least |X|; 0 or less where X may be 0.
   Batch least_magnitude() const { return max(lo, -hi); }
 
-  friend Bounded operator-(const Bounded& a) { return {-a.hi, -a.lo, a.slope, a.curvature}; }
-  friend Bounded operator+(const Bounded& a, const Bounded& b) {
+  friend Bounded operator-(const Bounded& a) {
+    return {-a.hi, -a.lo, a.slope, a.curvature, a.kink};
+  }
+  [[gnu::always_inline]] friend Bounded operator+(const Bounded& a, const Bounded& b) {
     return rounded_outwards(a.lo + b.lo, a.hi + b.hi, padding, a.slope + b.slope,
-                            a.curvature + b.curvature);
+                            a.curvature + b.curvature, a.kink + b.kink);
   }
   friend Bounded operator-(const Bounded& a, const Bounded& b) { return a + -b; }
-  friend Bounded operator*(const Bounded& a, const Bounded& b) {
+  [[gnu::always_inline]] friend Bounded operator*(const Bounded& a, const Bounded& b) {
     if (&a == &b) return square(a);  // x * x is not negative, which [-1, 1] [-1, 1] would be
     const Batch p = a.lo * b.lo, q = a.lo * b.hi, r = a.hi * b.lo, s = a.hi * b.hi;
     const Batch size_a = a.magnitude(), size_b = b.magnitude();
     return rounded_outwards(
         min(min(p, q), min(r, s)), max(max(p, q), max(r, s)), padding,
         size_a * b.slope + a.slope * size_b,
-        size_a * b.curvature + Batch(2) * a.slope * b.slope + a.curvature * size_b);
+        size_a * b.curvature + Batch(2) * a.slope * b.slope + a.curvature * size_b,
+        size_a * b.kink + a.kink * size_b);
   }
   friend Bounded operator/(const Bounded& a, const Bounded& b) { return a * reciprocal(b); }
   Bounded& operator+=(const Bounded& b) { return *this = *this + b; }
 
-  friend Bounded square(const Bounded& a) {
+  [[gnu::always_inline]] friend Bounded square(const Bounded& a) {
     const Batch size = a.magnitude(), smallest = max(a.least_magnitude(), Batch(0));
     return rounded_outwards(smallest * smallest, size * size, padding, Batch(2) * size * a.slope,
-                            Batch(2) * (a.slope * a.slope + size * a.curvature));
+                            Batch(2) * (a.slope * a.slope + size * a.curvature),
+                            Batch(2) * size * a.kink);
   }
 
   /// f of a monotonically growing f whose values are [lo, hi], with |f'| and |f''| at most these.
   friend Bounded chain(const Bounded& a, const Bounded& f, Batch first, Batch second) {
-    return {f.lo, f.hi, first * a.slope, first * a.curvature + second * a.slope * a.slope};
+    return {f.lo, f.hi, first * a.slope, first * a.curvature + second * a.slope * a.slope,
+            first * a.kink};
   }
 
   friend Bounded reciprocal(const Bounded& a) {
@@ -127,7 +139,7 @@ class Bounded {
     const auto steep = lo < Batch(1e-20f);
     return {root.lo, root.hi,
             select(steep, smooth.slope * Batch(0) + Batch(no_limit), smooth.slope),
-            select(steep, no_limit, smooth.curvature)};
+            select(steep, no_limit, smooth.curvature), smooth.kink};
   }
   friend Bounded inverse_sqrt(const Bounded& a) { return reciprocal(sqrt(a)); }
   friend Bounded mul_add(const Bounded& a, const Bounded& b, const Bounded& c) { return a * b + c; }
@@ -165,28 +177,37 @@ class Bounded {
 
   friend Bounded pick(Batch::Mask m, const Bounded& a, const Bounded& b) {
     return {select(m, a.lo, b.lo), select(m, a.hi, b.hi), select(m, a.slope, b.slope),
-            select(m, a.curvature, b.curvature)};
+            select(m, a.curvature, b.curvature), select(m, a.kink, b.kink)};
   }
   /// `a`, of which elsewhere nothing is known.
   friend Bounded known_where(Batch::Mask m, const Bounded& a) {
     const Batch nan = std::numeric_limits<float>::quiet_NaN();
-    return {a.lo, a.hi, select(m, a.slope, nan), select(m, a.curvature, nan)};
+    return {a.lo, a.hi, select(m, a.slope, nan), select(m, a.curvature, nan), a.kink};
   }
 
  private:
-  /// Lipschitz like both, from lo to hi, where neither a nor b is certain.
+  /// From lo to hi, where neither a nor b is certain: from the one's slope to the other's.
   static Bounded decided(Batch::Mask is_a, const Bounded& a, Batch::Mask is_b, const Bounded& b,
                          Batch lo, Batch hi) {
-    const Batch unknown = Batch(0) * (a.slope + b.slope);  // Batch's max may drop a NaN
-    const Bounded either{lo, hi, max(a.slope, b.slope) + unknown, no_limit};
+    const Batch turn = a.slope + b.slope, unknown = Batch(0) * turn;  // Batch's max may drop a NaN
+    const Bounded either{lo, hi, max(a.slope, b.slope) + unknown, max(a.curvature, b.curvature),
+                         max(a.kink, b.kink) + turn};
     return pick(is_a, a, pick(is_b, b, either));
   }
 };
 
-/// How far at most a straight line through two places `h` apart misses X between them. NaN where
-/// nothing is known.
-inline Batch missed_by(const Bounded& x, float h) {
-  const Batch smooth = Batch(h * h / 8) * x.curvature, steep = Batch(h / 2) * x.slope;
+/// What of its rates of change X is missed by, when it is interpolated between known places.
+struct Spacing {
+  float curvature, kink, slope;
+
+  /// A straight line between two places so far apart.
+  static constexpr Spacing of(float h) { return {h * h / 8, h / 4, h / 2}; }
+};
+
+/// How far X is missed at most. NaN where nothing is known.
+inline Batch missed_by(const Bounded& x, const Spacing& spacing) {
+  const Batch smooth = mul_add(spacing.curvature, x.curvature, Batch(spacing.kink) * x.kink);
+  const Batch steep = Batch(spacing.slope) * x.slope;
   // Batch's min gives its second argument where either is NaN.
   const Batch least = min(min(smooth, steep), x.hi - x.lo);
   return Batch(Bounded::rounding_slack) * least + Batch(0) * x.slope;

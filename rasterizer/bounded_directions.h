@@ -89,6 +89,17 @@ inline BoundedDirection direction(const BoundedVector& x) {
           .unsteadiness = (motion.unsteadiness + stretched) * inverse};
 }
 
+/// a x b, and how fast it changes: |a x b - a0 x b0| <= |a - a0| + |b - b0|, and so on.
+inline BoundedVector cross(const BoundedDirection& a, const BoundedDirection& b) {
+  const Vec3<Batch>&v = a.velocity, &w = b.velocity;
+  const Batch fast = sqrt(dot(v, v)), fast_w = sqrt(dot(w, w)), rounding(5e-7f);
+  return {.centre = cross(a.centre, b.centre),
+          .radius = a.reach + b.reach + rounding,
+          .velocity = cross(v, b.centre) + cross(a.centre, w),
+          .unsteadiness = a.unsteadiness + b.unsteadiness + fast * b.reach + fast_w * a.reach,
+          .acceleration = a.bend() + b.bend() + Batch(2) * a.speed * b.speed};
+}
+
 /// L + V.
 inline BoundedVector sum(const BoundedDirection& a, const BoundedDirection& b) {
   return {.centre = a.centre + b.centre,
@@ -131,7 +142,8 @@ struct CosineChange {
 /// Of the angle between two directions. The centres enclose theta, and each direction deviates from
 /// its centre by an angle of at most 1.05 times its reach (for a reach of up to 1): the cosine lies
 /// between those of theta - spread and theta + spread.
-inline Cosine<Bounded> cosine(const BoundedDirection& a, const BoundedDirection& b) {
+[[gnu::always_inline]] inline Cosine<Bounded> cosine(const BoundedDirection& a,
+                                                     const BoundedDirection& b) {
   const Vec3<Batch> chord = a.centre - b.centre;
   const Batch reach = a.reach + b.reach, spread = Batch(1.05f) * reach;
   const Batch apart = sqrt(dot(chord, chord)), versine = Batch(0.5f) * apart * apart;
@@ -165,12 +177,38 @@ inline Cosines<Bounded> cosines(const BoundedDirection& n, const BoundedDirectio
           .n_v_versine = min(n_v.versine, Bounded(1 - min_n_v))};
 }
 
+/// The axes of the shading frame.
+struct BoundedAxes {
+  BoundedDirection tangent, bitangent, normal;
+
+  BoundedAxes() = default;
+  /// As place_tangents() has them, from the way that the surface is brushed. Near the normal
+  /// nothing is known: there the projection into the surface magnifies rounding, and then makes a
+  /// choice.
+  BoundedAxes(const BoundedDirection& n, const BoundedDirection& brushed) : normal(n) {
+    BoundedVector across = cross(n, brushed);
+    const Motion motion(across);
+    across.radius = select(motion.least > Batch(0.1f), across.radius, Batch(Bounded::no_limit));
+    bitangent = direction(across);
+    tangent = direction(cross(bitangent, n));
+  }
+};
+
 }  // namespace HWY_NAMESPACE
 
-/// What ReflectionModel::bounds() is asked, and answers.
+/// What ReflectionModel::bounds() is asked, and answers. Null: nothing is known of tangents.
 struct BoundedCosines {
   Cosines<Bounded> cosines;
+  const BoundedAxes* axes = nullptr;
+  BoundedDirection l{}, v{};  // only with axes
 };
+inline ShadingFrame<Bounded> shading_frame(const BoundedCosines& in) {
+  const auto local = [&](const BoundedDirection& d) -> Vec3<Bounded> {
+    return {cosine(in.axes->tangent, d).cos, cosine(in.axes->bitangent, d).cos,
+            cosine(in.axes->normal, d).cos};
+  };
+  return {.l = local(in.l), .v = local(in.v), .h = local(direction(sum(in.l, in.v)))};
+}
 struct BoundedReflection {
   Reflection<Bounded> value;
 };

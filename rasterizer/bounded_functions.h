@@ -14,6 +14,20 @@ inline Bounded exp(const Bounded& x) {
   return chain(x, Bounded::rounded_outwards(exp(x.lo), hi, Bounded::padding), hi, hi);
 }
 
+/// e^-x of a sum of squares, near enough: of an x >= 0 with x'^2 <= steepness x, of whose x'' a
+/// part is not negative and at most `convex`. So x' is small where the exponential is large, and in
+/// e^-x (x'^2 - x'') the two do not add up. Of y e^-y and y e^-2y the largest are at 1 and 1/2.
+inline Bounded exp_minus(const Bounded& x, const Batch& steepness, const Batch& convex) {
+  const Batch from = max(x.lo, Batch(0)), to = max(x.hi, Batch(0)), hi = exp(-from), hi2 = hi * hi;
+  const Batch y_e_y = select(from >= Batch(1), from * hi, min(to * hi, Batch(0.36788f)));
+  const Batch y_e_2y = select(from >= Batch(0.5f), from * hi2, min(to * hi2, Batch(0.18394f)));
+  const Batch slope = min(sqrt(steepness * y_e_2y), hi * x.slope) + Batch(0) * x.slope;
+  const Batch steep = min(steepness * y_e_y, hi * x.slope * x.slope);
+  const Batch rest = max(x.curvature - convex, Batch(0));
+  return Bounded::rounded_outwards(exp(-to), hi, mul_add(to, 6e-7f, Bounded::padding), slope,
+                                   mul_add(hi, rest, max(steep, hi * convex)), hi * x.kink);
+}
+
 /// Nothing is known where x may be 0.
 inline Bounded log(const Bounded& x) {
   const Batch r = Batch(1) / x.lo;
@@ -46,10 +60,7 @@ inline Bounded pow(const Bounded& x, const Bounded& y) {
   Bounded fixed = power_of_logs(x, log(lo), log(hi), y.hi);
   // What the power of a parameter's rounding adds.
   const Batch loose = abs(y.hi * log(lo)) * Batch(1e-6f);
-  fixed = pick(constant,
-               Bounded::rounded_outwards(fixed.lo, fixed.hi, min(loose, Batch(1)), fixed.slope,
-                                         fixed.curvature),
-               fixed);
+  fixed = pick(constant, fixed.widened(min(loose, Batch(1))), fixed);
   // 0^y is 0 for y > 0, but not for y < 0, where it is said to be 0 and is about to be infinite.
   fixed.lo = select(x.lo <= Batch(1e-20f), min(fixed.lo, Batch(0)), fixed.lo);
   return pick(constant, fixed, exp(y * log(x)));
@@ -66,7 +77,7 @@ inline Bounded pow(const Cosine<Bounded>& c, const Bounded& n) {
   const Batch log_lo = log_of(u.hi), log_hi = log_of(max(u.lo, Batch(0)));
   Bounded power = power_of_logs(u, log_lo, log_hi, n.hi);
   const Batch loose = min(abs(n.hi * log_lo) * Batch(1e-6f), Batch(1));
-  power = Bounded::rounded_outwards(power.lo, power.hi, loose, power.slope, power.curvature);
+  power = power.widened(loose);
   // At and below 0 the power is 0; for n = 0 it is 1, or 0.
   power.lo = select(u.hi >= Batch(1), min(power.lo, Batch(0)), power.lo);
   const auto kink = (u.hi >= Batch(1)) & (n.lo < Batch(2)), jump = kink & (n.lo < Batch(1));
@@ -84,7 +95,7 @@ inline Bounded sin(const Bounded& x) {
   const Batch away = mul_add(Batch(0.5), x.hi - x.lo, mul_add(x.magnitude(), 3e-7f, 5e-7f));
   const Batch one(1.000001f);  // Batch's sine exceeds 1 by rounding
   const Bounded result{max(value - away, -one), min(value + away, one), x.slope,
-                       x.curvature + x.slope * x.slope};
+                       x.curvature + x.slope * x.slope, x.kink};
   const auto far = x.magnitude() > Batch(1e4f);  // where Batch clamps
   return pick(far, {-one, one, x.slope, Bounded::no_limit}, result);
 }
@@ -99,7 +110,7 @@ inline Bounded asin(const Bounded& x) {
   const auto steep = room < Batch(1e-12f);
   const Batch limit = Batch(Bounded::no_limit) + Batch(0) * x.slope;
   return {angle.lo, angle.hi, select(steep, limit, smooth.slope),
-          select(steep, limit, smooth.curvature)};
+          select(steep, limit, smooth.curvature), smooth.kink};
 }
 inline Bounded acos(const Bounded& x) { return Bounded(1.5707963267948966) - asin(x); }
 
@@ -129,8 +140,9 @@ inline Bounded atan2(const Bounded& y, const Bounded& x) {
   const Batch r2 = mul_add(away_x, away_x, away_y * away_y), r = Batch(1) / sqrt(r2);
   const Batch speed = (x.slope + y.slope) * r,
               turn = (x.curvature + y.curvature) * r + speed * speed;
-  const Bounded smooth = Bounded::rounded_outwards(min(min(a, b), min(c, d)),
-                                                   max(max(a, b), max(c, d)), 6e-7f, speed, turn);
+  const Bounded smooth =
+      Bounded::rounded_outwards(min(min(a, b), min(c, d)), max(max(a, b), max(c, d)), 6e-7f, speed,
+                                turn, (x.kink + y.kink) * r);
   const Batch pi(3.1415930f), limit = Batch(Bounded::no_limit) + Batch(0) * (x.slope + y.slope);
   const auto apart = (r2 > Batch(1e-30f)) & ((x.lo > Batch(0)) | (y.least_magnitude() > Batch(0)));
   return pick(apart, smooth, {-pi, pi, limit, limit});

@@ -45,14 +45,13 @@ Needs needs_of(const Formula& formula) {
   return needs;
 }
 
-/// Whether a formula is evaluated over bounds (bounded.h): not if it looks at tangents or at the
-/// surface point, of which none are known, or if it calls what Bounded has not and says so by a
-/// member `static constexpr bool has_bounds = false`.
+/// Whether a formula is evaluated over bounds (bounded.h): not if it looks at the surface point, of
+/// which nothing is known, or if it calls what Bounded has not and says so by a member
+/// `static constexpr bool has_bounds = false`.
 template <class Formula>
 constexpr bool has_bounds() {
   if constexpr (requires { Formula::has_bounds; }) return Formula::has_bounds;
-  constexpr bool isotropic = requires(const Formula& f) { f.isotropic(); };
-  return !Takes<Formula>::point && (!Takes<Formula>::frame || isotropic);
+  return !Takes<Formula>::point;
 }
 
 /// The formula's value, whatever it is where the light is below the horizon.
@@ -166,8 +165,12 @@ class FormulaModel final : public ReflectionModel {
   bool bounds([[maybe_unused]] const BoundedCosines& in,
               [[maybe_unused]] BoundedReflection& out) const override {
     if constexpr (has_bounds<Formula>()) {
-      if (needs_of(formula_).frame) return false;
-      out.value = value_of(formula_, in.cosines, ShadingFrame<Bounded>{}, SurfacePoint<Bounded>{});
+      const bool framed = needs_of(formula_).frame;
+      if (framed && !in.axes) return false;
+      ShadingFrame<Bounded> frame;
+      if constexpr (Takes<Formula>::frame)
+        if (framed) frame = shading_frame(in);
+      out.value = value_of(formula_, in.cosines, frame, SurfacePoint<Bounded>{});
       return true;
     }
     return false;

@@ -1,64 +1,28 @@
 #include "rasterizer/light_misses.h"
 
+#include "rasterizer/pixel_codes.h"
+
 namespace scanlit {
 
 namespace {
 
-/// How a part ends where its light sets. All 0 where the light does not.
-struct Horizon {
-  Batch crossed;  // 1: some of the triangle's pixels may lie beyond it
-  Batch jump;     // the part's size there
-  Batch rise;     // at most jump + rise h^2 / 8 before and after a set of less than h pixels
-};
-
-/// By how much a straight line over h pixels misses a part that is known above the horizon and 0
-/// beyond. Its slope S jumps there. Crossed once, a pixels on, the line from 0 to at most S (h - a)
-/// misses the kink by at most S a (h - a) / h <= S h / 4. Crossed twice, with both ends lit, N.L at
-/// the ends is so low that the line between them lies at most h^2 / 8 times the curvature of N.L
-/// above 0. Where the light is up, the curve bends besides.
-Batch missed(const Bounded& part, const Horizon& horizon, float h) {
-  const Batch eighth(h * h / 8), kink = max(Batch(h / 4) * part.slope, eighth * horizon.rise);
-  const Batch bent = mul_add(eighth, part.curvature, min(kink, Batch(h / 2) * part.slope));
-  const Batch across = Batch(Bounded::rounding_slack) * min(bent, part.hi) + Batch(0) * part.slope;
-  return select(horizon.crossed > Batch(0), across, missed_by(part, h)) + horizon.jump;
-}
-
-/// One part of what a light adds to one channel; no horizon: the light does not set.
-void add_part(const Bounded& part, const Horizon* horizon, int channel, Misses& sum) {
-  sum.least[channel] += max(part.lo, Batch(0));
-#pragma GCC unroll 4
-  for (int s = 0; s < stride_count; ++s) {
-    const float h = float(strides[s]);
-    sum.missed[s][channel] += horizon ? missed(part, *horizon, h) : missed_by(part, h);
-  }
+/// By how much a colour that is at least `least` may be off.
+Batch allowed(const Frame& frame, const Batch& least) {
+  const Batch codes = Batch((frame.settings.tolerance - rounding_codes - near_codes) / 255);
+  if (frame.format == ColourFormat::linear_8bit) return codes;
+  // 1 over the slope of sRGB's encoding, IEC 61966-2-1: 12.92, or that of 1.055 c^(1/2.4).
+  const Batch power = exp(Batch(1 - 1 / 2.4) * log(max(least, Batch(0.003f))));
+  const Batch inverse_slope =
+      select(least <= Batch(0.0031308f), Batch(1 / 12.92), power * Batch(2.4 / 1.055));
+  return codes * inverse_slope * Batch(0.9999f);
 }
 
 /// s x, s >= 0.
 Bounded scaled(const Bounded& x, float s) {
   const Batch by(s);
   return Bounded::rounded_outwards(x.lo * by, x.hi * by, Bounded::padding, x.slope * by,
-                                   x.curvature * by);
+                                   x.curvature * by, x.kink * by);
 }
-
-/// What the formula says where the light sets: of the parts there, and of how fast they grow with
-/// N.L alone.
-struct Setting {
-  BoundedReflection there{}, growing{};
-
-  void find(const ReflectionModel& model, const Cosines<Bounded>& c) {
-    const auto at_rest = [](const Bounded& x) { return Bounded(x.lo, x.hi, Batch(0), Batch(0)); };
-    BoundedCosines in{{.n_l = Bounded(0),
-                       .n_v = at_rest(c.n_v),
-                       .n_h = {.cos = at_rest(c.n_h.cos), .versine = at_rest(c.n_h.versine)},
-                       .v_h = at_rest(c.v_h),
-                       .n_l_versine = Bounded(1),
-                       .n_v_versine = at_rest(c.n_v_versine)}};
-    model.bounds(in, there);
-    in.cosines.n_l = {Batch(0), c.n_l.hi, Batch(1), Batch(0)};
-    in.cosines.n_l_versine = {c.n_l_versine.lo, Batch(1), Batch(1), Batch(0)};
-    model.bounds(in, growing);
-  }
-};
 
 /// Certainly: not where nothing is known.
 Batch::Mask never_positive(const Bounded& x) { return (x.hi <= Batch(0)) & (x.slope >= Batch(0)); }
@@ -87,64 +51,88 @@ Bounded arriving_share(const LightSource& light, const BoundedVector& to_light,
               chain(inside, value, 1.5f, 6.0f));
 }
 
-}  // namespace
-
+/// Adds a light; false where nothing is known of the model.
+///
+/// Where it sets, the formula's value ends. It is taken as it is above the horizon and, beyond, at
+/// N.L = 0: without a jump, but with N.L's kink. What that is beyond the horizon, where 0 is shown,
+/// a straight line misses by at most its size.
 bool add_light(const ReflectionModel& model, const LightSource& light, const ScreenGroup& group,
-               const BoundedDirection& n, const BoundedDirection& v, const BoundedVector& position,
-               Misses& sum) {
+               const BoundedSurface& surface, std::span<const Spacing> spacings, Misses& sum) {
+  const BoundedDirection &n = surface.n, &v = surface.v;
   BoundedDirection l{.centre = broadcast(light.to_light)};
   Bounded share(1);
   if (!light.far) {
-    const BoundedVector to_light = towards(broadcast(light.position), position);
+    const BoundedVector to_light = towards(broadcast(light.position), surface.position);
     l = direction(to_light);
     share = arriving_share(light, to_light, l);
   }
-  BoundedCosines in{cosines(n, l, v)};
+  BoundedCosines in{cosines(n, l, v), surface.framed ? &surface.axes : nullptr, l, v};
   Cosines<Bounded>& c = in.cosines;
   const auto dark = never_positive(c.n_l) | never_positive(share);
   const Batch lit = select(dark, Batch(0), Batch(1));
   if (none(lit > Batch(0))) return true;
   const auto horizon = c.n_l.lo <= Batch(0), crossed = horizon & (lit > Batch(0));
-  // As it is above the horizon: without a kink.
-  c.n_l.lo = max(c.n_l.lo, Batch(0)), c.n_l.hi = max(c.n_l.hi, Batch(0));
-  c.n_l_versine.lo = min(c.n_l_versine.lo, Batch(1));
-  c.n_l_versine.hi = min(c.n_l_versine.hi, Batch(1));
-  BoundedReflection reflection;
-  if (!model.bounds(in, reflection)) return false;
-  Setting setting;
-  if (!none(crossed)) setting.find(model, c);
-  const auto where_crossed = [&](const Batch& x) {
-    return group.largest(select(crossed, x, Batch(0)));
-  };
-  Horizon edge{};
+  c.n_l = max(c.n_l, Bounded(0)), c.n_l_versine = min(c.n_l_versine, Bounded(1));
+  BoundedReflection above, at_horizon;
+  if (!model.bounds(in, above)) return false;
   const bool sets = !none(crossed);
-  if (sets) edge.crossed = where_crossed(Batch(1));
-  const auto add = [&](const Bounded& part, const Bounded& there, const Bounded& growing,
-                       float tint, int channel) {
+  if (sets) {
+    c.n_l = Bounded(0), c.n_l_versine = Bounded(1);
+    model.bounds(in, at_horizon);
+  }
+  const auto add = [&](const Bounded& part, const Bounded& there, float tint, int channel) {
     // What a model has not costs nothing.
     const auto nothing = (part.magnitude() <= Batch(1e-30f)) & (part.slope >= Batch(0));
     if (bits_of(nothing) == (1u << Batch::lanes) - 1) return;
     Bounded weighted = scaled(light.far ? part : part * share, tint);
-    weighted.lo = select(horizon, Batch(0), weighted.lo);
+    weighted.lo = select(horizon, min(weighted.lo, Batch(0)), weighted.lo);
+    weighted = group.of_triangle(pick(dark, Bounded(0), weighted));
+    Batch jump = 0;
     if (sets) {
-      const Batch weight = share.hi * Batch(Bounded::rounding_slack * tint);
-      edge.jump = where_crossed(there.magnitude() * weight + Batch(0) * there.slope);
-      edge.rise = where_crossed(growing.slope * weight * c.n_l.curvature);
+      const Batch size = there.magnitude() * share.hi * Batch(Bounded::rounding_slack * tint);
+      jump = group.largest(select(crossed, size + Batch(0) * there.slope, Batch(0)));
     }
-    add_part(group.of_triangle(pick(dark, Bounded(0), weighted)), sets ? &edge : nullptr, channel,
-             sum);
+    sum.least[channel] += max(weighted.lo, Batch(0));
+    for (std::size_t s = 0; s < spacings.size(); ++s)
+      sum.missed[s][channel] += missed_by(weighted, spacings[s]) + jump;
   };
-  const Reflection<Bounded>&here = reflection.value, &there = setting.there.value,
-        &growing = setting.growing.value;
   const auto add_channel = [&](Bounded Rgb<Bounded>::*of, float Rgb<float>::*of_light,
                                int channel) {
-    add(here.diffuse.*of, there.diffuse.*of, growing.diffuse.*of, light.diffuse.*of_light, channel);
-    add(here.glossy.*of, there.glossy.*of, growing.glossy.*of, light.glossy.*of_light, channel);
+    const Reflection<Bounded>&here = above.value, &there = at_horizon.value;
+    add(here.diffuse.*of, there.diffuse.*of, light.diffuse.*of_light, channel);
+    add(here.glossy.*of, there.glossy.*of, light.glossy.*of_light, channel);
   };
   add_channel(&Rgb<Bounded>::r, &Rgb<float>::r, 0);
   add_channel(&Rgb<Bounded>::g, &Rgb<float>::g, 1);
   add_channel(&Rgb<Bounded>::b, &Rgb<float>::b, 2);
   return true;
+}
+
+}  // namespace
+
+bool add_lights(const Frame& frame, const Draw& draw, const ScreenGroup& group,
+                const BoundedSurface& surface, std::span<const Spacing> spacings, Misses& sum) {
+  const Rgb<float>& ambient = draw.illumination.ambient;
+  sum.least[0] = ambient.r, sum.least[1] = ambient.g, sum.least[2] = ambient.b;
+  for (auto& of_spacing : sum.missed)
+    for (Batch& channel : of_spacing) channel = Batch(0);
+  // Most that fail do so after a few lights.
+  const Batch hopeless = allowed(frame, Batch(1));
+  for (const LightSource& light : draw.illumination.lights) {
+    if (!add_light(*draw.object->material.model, light, group, surface, spacings, sum))
+      return false;
+    const auto& missed = sum.missed[0];
+    if (none((missed[0] <= hopeless) & (missed[1] <= hopeless) & (missed[2] <= hopeless)))
+      return false;
+  }
+  return true;
+}
+
+Batch::Mask within_tolerance(const Frame& frame, const Misses& sum, std::size_t spacing) {
+  auto within = sum.missed[spacing][0] <= allowed(frame, sum.least[0]);
+  for (int c = 1; c < 3; ++c)
+    within = within & (sum.missed[spacing][c] <= allowed(frame, sum.least[c]));
+  return within;
 }
 
 }  // namespace scanlit

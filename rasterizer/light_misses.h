@@ -1,24 +1,28 @@
-// (9) By how much a straight line along a row misses what the lights make of a triangle. For
+// (8) By how much a straight line along a row misses what the lights make of a triangle. For
 // strides.h.
 #pragma once
+
+#include <span>
 
 #include "rasterizer/screen_group.h"
 
 namespace scanlit {
 
-constexpr int strides[] = {2, 4, 8, 16};
-constexpr int stride_count = 4;
+constexpr double rounding_codes = 0.1;  // of all places that a colour is made of, together
 
-/// What the triangles' colours do along a row, summed over the lights.
+/// What the colours of a vector of triangles do, summed over the lights, per channel.
 struct Misses {
-  Batch least[3];                 // the colour is at least this
-  Batch missed[stride_count][3];  // by a straight line between pixels so far apart
+  static constexpr std::size_t most = 4;
+  Batch least[3];         // the colour is at least this
+  Batch missed[most][3];  // for each spacing
 };
 
-/// Adds a light to `sum`; false where nothing is known of the model. n, v and position are those
-/// of the group's cells, in world space.
-bool add_light(const ReflectionModel& model, const LightSource& light, const ScreenGroup& group,
-               const BoundedDirection& n, const BoundedDirection& v, const BoundedVector& position,
-               Misses& sum);
+/// Finds them for up to Misses::most spacings, the narrowest first; false if it is certain that
+/// none will do, or where nothing is known of the model.
+bool add_lights(const Frame& frame, const Draw& draw, const ScreenGroup& group,
+                const BoundedSurface& surface, std::span<const Spacing> spacings, Misses& sum);
+
+/// Where RenderSettings::tolerance allows for what a spacing misses.
+Batch::Mask within_tolerance(const Frame& frame, const Misses& sum, std::size_t spacing);
 
 }  // namespace scanlit

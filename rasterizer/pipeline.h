@@ -218,7 +218,7 @@ struct Chunk {
   std::vector<Bin> bins;
   std::vector<BinEntry> entries;
   FrameStats counts;
-  // (8) strides.h: of each triangle, 0 where it is not known yet. Null: all are 1.
+  // (8) stride_of() each triangle (strides.h), 0 where it is not known yet. Null: all are 1.
   std::unique_ptr<std::atomic<std::uint8_t>[]> strides;
 
   std::size_t number_of(const DrawnTriangle& t) const { return std::size_t(&t - triangles.data()); }

@@ -104,8 +104,9 @@ class Resolver {
     for (const int end : ends) {
       if (row[run] != no_triangle) {
         FragmentSpan& own = span_of(*visibility_.triangles[row[run]]);
-        if (&own != span) append_open(run), begin = run, span = &own;
-        if (own.may_stride) append_stretches(run, y, end, row, own), span = nullptr;
+        const bool strided = own.may_stride && may_stride(own, row[run], end - run);
+        if (strided || &own != span) append_open(run), begin = run, span = &own;
+        if (strided) append_stretches(run, y, end, row, own), span = nullptr;
       }
       run = end;
     }
@@ -138,6 +139,12 @@ class Resolver {
     }
   }
 
+  /// Whether to shade a run every few pixels: its own cost is that of lighting some ten of them.
+  bool may_stride(const FragmentSpan& span, TriangleId id, int size) const {
+    const int lights = int(span.draw->illumination.lights.size());
+    return size > 3 && size * lights > 10 && stride_of(frame_, *visibility_.triangles[id]) > 1;
+  }
+
   /// Where strides are taken.
   [[gnu::noinline]] void append_stretches(int begin, int y, int end, const TriangleId* row,
                                           FragmentSpan& span) {
@@ -157,8 +164,8 @@ class Resolver {
     int stride, until;
   };
   Stretch stride_at(TriangleId id, const DrawnTriangle& drawn, int x, int y, int end) {
-    if (end - x <= 3) return {1, end};
-    if (!is_large(drawn)) return {stride_of(frame_, drawn), end};
+    const int of_triangle = stride_of(frame_, drawn);
+    if (of_triangle != by_strips) return {of_triangle, end};
     StripStrides& strip = strips_[id];
     if (y >= strip.y_end) strip = strides_in(frame_, drawn, visibility_.rect, y);
     const int column = (x - strip.x_begin) / strip.width, stride = strip.stride[column];

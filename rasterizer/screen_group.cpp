@@ -29,6 +29,15 @@ void ScreenGroup::put(const Frame& frame, const DrawnTriangle& drawn, int lane) 
   }
 }
 
+void ScreenGroup::put(const Frame& frame, const DrawnTriangle& drawn) {
+  put(frame, drawn, 0);
+  const auto spread = [](Lanes& lanes) { std::ranges::fill(lanes.of, lanes.of[0]); };
+  for (auto* of_corners : {&step, &x, &y, &w})
+    for (Lanes& lanes : *of_corners) spread(lanes);
+  for (auto* of_corners : {&normal, &position})
+    for (Vec3Lanes& v : *of_corners) spread(v.x), spread(v.y), spread(v.z);
+}
+
 void ScreenGroup::put_inner_cell(int lane) {
   const int cell = cells == 1 ? -1 : lane % 4;  // 3: the middle one
   for (int i = 0; i < 4; ++i)
@@ -43,18 +52,17 @@ void ScreenGroup::put_inner_cell(int lane) {
 /// NaN, and nothing is known.
 void ScreenGroup::put_rectangle(const DrawnTriangle& drawn, const Rect& r, int lane) {
   const auto& v = drawn.vertices;
-  const double area = double(area_of(drawn));
+  double scale[3];
+  for (int k = 0; k < 3; ++k) scale[k] = 1 / (double(area_of(drawn)) * double(w[k].of[lane]));
   for (int i = 0; i < 4; ++i) {
     const int at_x = i % 2 ? r.x_end : r.x_begin, at_y = i / 2 ? r.y_end : r.y_begin;
     double over_w[3], sum = 0;
     for (int k = 0; k < 3; ++k) {
-      over_w[k] = double(edge_function(v[(k + 1) % 3], v[(k + 2) % 3], at_x, at_y)) / area /
-                  double(w[k].of[lane]);
+      over_w[k] = double(edge_function(v[(k + 1) % 3], v[(k + 2) % 3], at_x, at_y)) * scale[k];
       sum += over_w[k];
     }
-    for (int k = 0; k < 3; ++k)
-      share[i][k].of[lane] =
-          sum > 0 ? float(over_w[k] / sum) : std::numeric_limits<float>::quiet_NaN();
+    const double inverse = sum > 0 ? 1 / sum : std::numeric_limits<double>::quiet_NaN();
+    for (int k = 0; k < 3; ++k) share[i][k].of[lane] = float(over_w[k] * inverse);
   }
 }
 
@@ -99,9 +107,16 @@ Batch ScreenGroup::largest(Batch a) const {
   return max(a, Batch(hn::Reverse4(Batch::tag, a.raw))) + Batch(0) * a;
 }
 
+Batch ScreenGroup::sum(Batch a) const {
+  if (cells == 1) return a;
+  if (cells == Batch::lanes) return Batch(hn::SumOfLanes(Batch::tag, a.raw));
+  a = a + Batch(hn::Reverse2(Batch::tag, a.raw));
+  return a + Batch(hn::Reverse4(Batch::tag, a.raw));
+}
+
 Bounded ScreenGroup::of_triangle(const Bounded& of_cell) const {
   return {-largest(-of_cell.lo), largest(of_cell.hi), largest(of_cell.slope),
-          largest(of_cell.curvature)};
+          largest(of_cell.curvature), sum(of_cell.kink)};
 }
 
 BoundedDirection to_viewer(const Frame& frame, const ScreenGroup& group,

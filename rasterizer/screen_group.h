@@ -9,7 +9,7 @@ namespace scanlit {
 
 /// Twice the area, in (1/256 pixel)^2; negative where it faces away.
 inline std::int64_t area_of(const DrawnTriangle& t) {
-  return screen_triangle(t.vertices[0], t.vertices[1], t.vertices[2]).twice_area;
+  return edge_function(t.vertices[0], t.vertices[1], t.vertices[2].x, t.vertices[2].y);
 }
 
 /// One number for each triangle of a vector.
@@ -41,6 +41,8 @@ struct ScreenGroup {
   Vec3Lanes normal[3], position[3];  // at the corners, object space
 
   void put(const Frame& frame, const DrawnTriangle& drawn, int lane);
+  /// Into all lanes.
+  void put(const Frame& frame, const DrawnTriangle& drawn);
   void put_inner_cell(int lane);
   /// In 1/256 pixel.
   void put_rectangle(const DrawnTriangle& drawn, const Rect& rectangle, int lane);
@@ -54,6 +56,15 @@ struct ScreenGroup {
   /// What holds in all of a triangle's cells.
   Bounded of_triangle(const Bounded& of_cell) const;
   Batch largest(Batch a) const;
+  Batch sum(Batch a) const;  // a line may cross one cell's kinks after another's
+};
+
+/// What is known of the surface across a group, and from where it is seen; in world space.
+struct BoundedSurface {
+  BoundedDirection n, v;
+  BoundedVector position;
+  bool framed = false;  // axes are known
+  BoundedAxes axes{};
 };
 
 /// V across the group; `position` as attribute() gives it, in world space.

@@ -169,10 +169,9 @@ void SpanShader::write_runs(const FragmentSpan& span, const ColourTarget& target
     if (target.codes) {
       const auto codes = encoder.opaque(colour.r, colour.g, colour.b);
       auto* const to = reinterpret_cast<std::uint32_t*>(target.codes + target.element(pixel));
-      if (count == Batch::lanes) return hn::StoreU(codes, PixelEncoder::Tag(), to);
-      std::uint32_t all[Batch::lanes];
-      hn::StoreU(codes, PixelEncoder::Tag(), all);
-      for (int i = 0; i < count; ++i) to[i] = all[i];
+      const PixelEncoder::Tag tag;
+      if (count == Batch::lanes) return hn::StoreU(codes, tag, to);
+      hn::BlendedStore(codes, hn::FirstN(tag, std::size_t(count)), tag, to);
     } else {
       float rgba[4 * Batch::lanes];
       hn::StoreInterleaved4(colour.r.raw, colour.g.raw, colour.b.raw, Batch(1).raw, Batch::tag,

@@ -8,6 +8,7 @@
 #include "rasterizer/light_misses.h"
 #include "rasterizer/pixel_codes.h"
 #include "rasterizer/span_math.h"
+#include "rasterizer/tangents.h"
 
 namespace scanlit {
 
@@ -21,64 +22,41 @@ constexpr double min_pixels_alone = 40, min_pixels = 250, min_pixels_kept = 300;
 constexpr double max_kept = 0.7;
 constexpr std::size_t tries = 3;  // vectors of them
 // Of larger triangles, strips of tiles are bounded, which have at least so many pixels.
-constexpr double large_pixels = 2000;
+constexpr double large_pixels = 5000;
+// So many of a chunk's pixels are to be in triangles that are bounded.
+constexpr double min_share = 0.3;
 constexpr int strip_rows = 16, strip_pixels = 4096;
 
 double pixels_of(const DrawnTriangle& t) {
   return double(std::abs(area_of(t))) / (2 * subpixel * subpixel);
 }
 
-}  // namespace
-
-bool is_large(const DrawnTriangle& drawn) { return pixels_of(drawn) >= large_pixels; }
-
-namespace {
-
-/// By how much a colour that is at least `least` may be off.
-Batch allowed(const Frame& frame, const Batch& least) {
-  const Batch codes = Batch((frame.settings.tolerance - rounding_codes - near_codes) / 255);
-  if (frame.format == ColourFormat::linear_8bit) return codes;
-  // 1 over the slope of sRGB's encoding, IEC 61966-2-1: 12.92, or that of 1.055 c^(1/2.4).
-  const Batch power = exp(Batch(1 - 1 / 2.4) * log(max(least, Batch(0.003f))));
-  const Batch inverse_slope =
-      select(least <= Batch(0.0031308f), Batch(1 / 12.92), power * Batch(2.4 / 1.055));
-  return codes * inverse_slope * Batch(0.9999f);
-}
+constexpr int strides[] = {2, 4, 8, 16};
+constexpr Spacing spacings[] = {Spacing::of(2), Spacing::of(4), Spacing::of(8), Spacing::of(16)};
 
 /// The strides of a vector of triangles.
 Batch strides_of(const Frame& frame, const Draw& draw, const ScreenGroup& group) {
-  const Illumination& illumination = draw.illumination;
   const glm::mat4& m = draw.object->world_from_object;
   Vec3<Batch> normal[3], position[3];
   for (int k = 0; k < 3; ++k) {
     normal[k] = transform(draw.normal_from_object, group.normal[k]);
     position[k] = transform(glm::mat3(m), group.position[k]) + broadcast(m[3]);
   }
-  const BoundedDirection n = direction(group.attribute(normal));
   const BoundedVector p = group.attribute(position);
-  const BoundedDirection v = to_viewer(frame, group, p);
-
-  Misses sum{};
-  const Rgb<float>& ambient = illumination.ambient;
-  sum.least[0] = ambient.r, sum.least[1] = ambient.g, sum.least[2] = ambient.b;
-  for (auto& of_stride : sum.missed)
-    for (Batch& channel : of_stride) channel = Batch(0);
-  // Most that fail do so after a few lights.
-  const Batch hopeless = allowed(frame, Batch(1));
-  for (const LightSource& light : illumination.lights) {
-    if (!add_light(*draw.object->material.model, light, group, n, v, p, sum)) return Batch(1);
-    const auto& missed = sum.missed[0];
-    if (none((missed[0] <= hopeless) & (missed[1] <= hopeless) & (missed[2] <= hopeless)))
-      return Batch(1);
+  BoundedSurface surface{
+      .n = direction(group.attribute(normal)), .v = to_viewer(frame, group, p), .position = p};
+  surface.framed = draw.object->material.model->needs().frame && !follows_texcoord(draw);
+  if (surface.framed) {
+    Vec3<Batch> along[3];
+    for (int k = 0; k < 3; ++k) along[k] = brushed(draw, group.position[k]);
+    surface.axes = {surface.n, direction(group.attribute(along))};
   }
 
+  Misses misses;
   Batch stride(1);
-  for (int s = 0; s < stride_count; ++s) {
-    auto within = sum.missed[s][0] <= allowed(frame, sum.least[0]);
-    for (int c = 1; c < 3; ++c)
-      within = within & (sum.missed[s][c] <= allowed(frame, sum.least[c]));
-    stride = select(within, Batch(strides[s]), stride);
-  }
+  if (!add_lights(frame, draw, group, surface, spacings, misses)) return stride;
+  for (std::size_t s = 0; s < std::size(strides); ++s)
+    stride = select(within_tolerance(frame, misses, s), Batch(strides[s]), stride);
   return stride;
 }
 
@@ -103,8 +81,8 @@ void raise(const Frame& frame, std::span<const DrawnTriangle> triangles, int cel
 }
 
 struct Tried {
-  bool large = false;           // some are
-  double pixels = 0, kept = 0;  // of the others, if they are not too small
+  bool large = false;            // some are
+  double bounded = 0, kept = 0;  // of the others, if they are not too small; what of it is left
 };
 
 /// Of up to a vector of a chunk's triangles, which hold triangle `number`.
@@ -113,29 +91,29 @@ Tried find_strides(const Frame& frame, const Chunk& chunk, std::size_t number) {
   const std::span triangles(&chunk.triangles[first],
                             std::min(max_lanes, chunk.triangles.size() - first));
   Tried tried;
-  double pixels[max_lanes] = {};  // of large ones none: they are bounded strip by strip
-  for (std::size_t i = 0; i < triangles.size(); ++i) {
-    tried.large |= is_large(triangles[i]);
-    tried.pixels += pixels[i] = is_large(triangles[i]) ? 0 : pixels_of(triangles[i]);
-  }
+  double pixels[max_lanes], others = 0;  // of those that are not large
   std::uint8_t found[max_lanes];
-  std::fill_n(found, triangles.size(), std::uint8_t(1));
+  for (std::size_t i = 0; i < triangles.size(); ++i) {
+    const double of_triangle = pixels_of(triangles[i]);
+    const bool large = of_triangle >= large_pixels;
+    tried.large |= large;
+    found[i] = large ? by_strips : 1;
+    others += pixels[i] = large ? 0 : of_triangle;
+  }
   const auto kept = [&] {
     double sum = 0;
     for (std::size_t i = 0; i < triangles.size(); ++i) sum += pixels[i] / found[i];
     return sum;
   };
   const double count = double(triangles.size());
-  if (tried.pixels >= min_pixels * count) {
+  if (others >= min_pixels * count) {
+    tried.bounded = others;
     raise(frame, triangles, 1, found);
     // Four times the work, for sharper bounds.
-    if (kept() >= min_pixels_kept * count && kept() < tried.pixels)
-      raise(frame, triangles, 4, found);
+    if (kept() >= min_pixels_kept * count && kept() < others) raise(frame, triangles, 4, found);
     for (std::size_t i = 0; i < triangles.size(); ++i)
-      if (triangles[i].piece != DrawnTriangle::not_cut) found[i] = 1;
+      if (pixels[i] > 0 && triangles[i].piece != DrawnTriangle::not_cut) found[i] = 1;
     tried.kept = kept();
-  } else {
-    tried.pixels = 0;
   }
   // Threads that ask at the same time find the same.
   for (std::size_t i = 0; i < triangles.size(); ++i)
@@ -147,9 +125,9 @@ Tried find_strides(const Frame& frame, const Chunk& chunk, std::size_t number) {
 void find_columns(const Frame& frame, const DrawnTriangle& drawn, const Rect& rows, int width,
                   std::uint8_t* found) {
   ScreenGroup group;
+  group.put(frame, drawn);
   for (int lane = 0; lane < Batch::lanes; ++lane) {
     const int x = rows.x_begin + lane * width;
-    group.put(frame, drawn, lane);
     group.put_rectangle(
         drawn,
         {x * subpixel, rows.y_begin * subpixel, (x + width + 1) * subpixel, rows.y_end * subpixel},
@@ -202,18 +180,31 @@ bool try_strides(const Frame& frame, Chunk& chunk) {
   Tried all;
   for (std::size_t i = 0; i < some; ++i) {
     const Tried tried = find_strides(frame, chunk, vectors * (2 * i + 1) / (2 * some) * max_lanes);
-    all.large |= tried.large, all.pixels += tried.pixels, all.kept += tried.kept;
+    all.bounded += tried.bounded, all.kept += tried.kept, all.large |= tried.large;
   }
-  if (all.kept >= max_kept * all.pixels) chunk.strides = nullptr;
-  return chunk.strides || all.large;
+  const bool worth = all.kept < max_kept * all.bounded;
+  double pixels = 0, bounded = 0;
+  for (std::size_t i = 0; i < count && (worth || all.large); ++i) {
+    const double of_triangle = pixels_of(chunk.triangles[i]);
+    const bool large = of_triangle >= large_pixels;
+    pixels += of_triangle;
+    if (large || (worth && of_triangle >= min_pixels)) bounded += of_triangle;
+    if (!worth) chunk.strides[i].store(large ? by_strips : 1, std::memory_order_relaxed);
+  }
+  // Where few are bounded, asking for them costs as much as they spare.
+  if (bounded <= min_share * pixels) chunk.strides = nullptr;
+  return chunk.strides != nullptr;
 }
 
 int stride_of(const Frame& frame, const DrawnTriangle& drawn) {
   const Chunk& chunk = frame.chunks[drawn.chunk];
-  if (!chunk.strides || pixels_of(drawn) < min_pixels_alone) return 1;
+  if (!chunk.strides) return 1;
   const std::size_t number = chunk.number_of(drawn);
   const std::atomic<std::uint8_t>& known = chunk.strides[number];
-  if (known.load(std::memory_order_relaxed) == 0) find_strides(frame, chunk, number);
+  if (known.load(std::memory_order_relaxed) == 0) {
+    if (pixels_of(drawn) < min_pixels_alone) return 1;
+    find_strides(frame, chunk, number);
+  }
   return known.load(std::memory_order_relaxed);
 }
 

@@ -70,6 +70,11 @@ Field field_of(const Draw& draw) {
           .side = {broadcast(unit_or(linear * side, x)), broadcast(unit_or(linear * other, z))}};
 }
 
+/// In object space; not of texture coordinates.
+Vec3<Batch> brushed_in_object(const Field& field, const Vec3<Batch>& position) {
+  return field.along ? field.axis : cross(field.axis, position - field.centre);
+}
+
 }  // namespace
 
 bool follows_texcoord(const Draw& draw) {
@@ -77,14 +82,18 @@ bool follows_texcoord(const Draw& draw) {
          !draw.mesh->tangents.empty();
 }
 
+Vec3<Batch> brushed(const Draw& draw, const Vec3<Batch>& object_position) {
+  const Field field = field_of(draw);
+  return transform(field.world_from_object, brushed_in_object(field, object_position));
+}
+
 void place_tangents(const Draw& draw, SurfaceSpan& surface) {
   const Field field = field_of(draw);
   for (int i = 0; i < surface.size; i += Batch::lanes) {
     const Vec3<Batch> n = load(surface.normal, i);
-    const Vec3<Batch> in_object = field.texcoord ? load(surface.tangent, i)
-                                  : field.along
-                                      ? field.axis
-                                      : cross(field.axis, load(surface.position, i) - field.centre);
+    const Vec3<Batch> in_object = field.texcoord
+                                      ? load(surface.tangent, i)
+                                      : brushed_in_object(field, load(surface.position, i));
     // Not the flatter one of the two sides: on a plane rounding would choose, pixel by pixel.
     const auto first_lies_flat = abs(dot(n, field.side[0])) < Batch(0.9f);
     const Vec3<Batch> side = select(first_lies_flat, field.side[0], field.side[1]);

@@ -17,6 +17,10 @@ namespace scanlit {
 /// `texcoord` is taken for `around`.
 bool follows_texcoord(const Draw& draw);
 
+/// The way the surface is brushed at places in object space, before it is made perpendicular to the
+/// normal: in world space, of any length, and linear in the place. Not where follows_texcoord().
+Vec3<Batch> brushed(const Draw& draw, const Vec3<Batch>& object_position);
+
 /// Fills surface.tangent for points whose normals are in world space already. Every tangent is unit
 /// and perpendicular to the normal within 1e-6, whatever the field, the mesh and the transform.
 void place_tangents(const Draw& draw, SurfaceSpan& surface);

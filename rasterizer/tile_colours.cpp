@@ -52,7 +52,8 @@ ColourTarget TileColours::begin(const Frame& frame, const Rect& tile, const Rect
   } else if (sums) {
     sums_.resize(size), target_.linear = sums_.data();
   } else {
-    codes_.resize(size), target_.codes = codes_.data();
+    // The end of a run may be stored as a whole vector (SpanShader::write_runs).
+    codes_.resize(size + 4 * max_lanes), target_.codes = codes_.data();
   }
   const auto count = std::size_t(touched.x_end - touched.x_begin);
   for (int y = touched.y_begin; y < touched.y_end; ++y) {

@@ -65,6 +65,8 @@ class Utia {
   explicit Utia(const UtiaTable& table, UtiaEncoding encoding = UtiaEncoding::linear,
                 double scale = 1);
 
+  static constexpr bool has_bounds = false;  // between the table's entries it has none
+
   template <class T>
   Reflection<T> operator()(const Cosines<T>& c, const ShadingFrame<T>& frame) const {
     const auto theta = [](const Vec3<T>& d) {

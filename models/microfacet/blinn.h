@@ -51,6 +51,35 @@ T exponent_towards(const Vec3<T>& h, const P& ex, const P& ey) {
   return (T(ex) * x2 + T(ey) * y2) / max(x2 + y2, T(1e-30));
 }
 
+/// (N.H) to the power of exponent_towards().
+template <class T, class P>
+T power_towards(const Cosine<T>& n_h, const Vec3<T>& h, const P& ex, const P& ey) {
+  return pow(n_h, exponent_towards(h, ex, ey));
+}
+/// Over bounds without the 0/0: it is exp(-(ex hx^2 + ey hy^2) g) with g = -log(c) / (1 - c^2), c =
+/// N.H, which as a power series of u = 1 - c begins with 1/2 and has coefficients of at most 1/2.
+template <class P>
+Bounded power_towards(const Cosine<Bounded>& n_h, const Vec3<Bounded>& h, const P& ex,
+                      const P& ey) {
+  const Bounded &u = n_h.versine, x(ex), y(ey);
+  const Bounded squares = x * square(h.x) + y * square(h.y);
+  const auto g_of = [](const Batch& versine) {
+    const Batch v = max(versine, Batch(1e-3f));  // below, rounding of 1 - v would be large
+    return -log(max(Batch(1) - v, Batch(1e-20f))) / (v * (Batch(2) - v));
+  };
+  const Batch c = Batch(1) - u.hi, inverse = Batch(1) / c, least = Batch(0.5f);
+  const Batch lo = select(u.lo < Batch(1e-3f), least, g_of(u.lo));
+  const Bounded g =
+      known_where(c > Batch(0), chain(u, Bounded::rounded_outwards(lo, g_of(u.hi), 2e-4f),
+                                      least * inverse * inverse, inverse * inverse * inverse));
+  // s'' has the part 2 (ex hx'^2 + ey hy'^2), and s'^2 is at most twice that times s. (s g)'^2 =
+  // s'^2 g^2 + 2 s s' g g' + s^2 g'^2, and g is at least 1/2.
+  const Batch convex =
+      Batch(2) * (x.hi * h.x.slope * h.x.slope + y.hi * h.y.slope * h.y.slope) * g.hi;
+  const Batch steepness = Batch(2) * (convex + (squares.slope + squares.hi * g.slope) * g.slope);
+  return exp_minus(squares * g, steepness * Batch(Bounded::rounding_slack), convex);
+}
+
 template <class P>
 struct AshikhminShirley {
   P ex, ey;
@@ -59,7 +88,7 @@ struct AshikhminShirley {
 
   template <class T>
   T operator()(const Cosine<T>& n_h, const Vec3<T>& h) const {
-    return T(peak()) * pow(n_h, exponent_towards(h, ex, ey));
+    return T(peak()) * power_towards(n_h, h, ex, ey);
   }
 
   template <class T>

@@ -86,7 +86,7 @@ void check(const std::string& name, const Operation& operation, double from, dou
     const Bounded f = operation.over_bounds(bounded(x), bounded(y));
     const float h = float(std::pow(10.0, -2 * unit(random))), middle = float(unit(random));
     const Lanes lo = lanes_of(f.lo), hi = lanes_of(f.hi), slope = lanes_of(f.slope),
-                curvature = lanes_of(f.curvature), missed = lanes_of(missed_by(f, h));
+                curvature = lanes_of(f.curvature), missed = lanes_of(missed_by(f, Spacing::of(h)));
     const double a = (1 - h) * unit(random), b = a + double(h), m = a + double(middle) * double(h);
     Lanes x_m, y_m;
     for (std::size_t i = 0; i < lo.size(); ++i) {
@@ -152,6 +152,10 @@ TEST(Bounded, HoldsWhatArithmeticGives) {
     check(
         "max", [](auto x, auto y) { return max(x, y); }, from, to, from, to);
     check(
+        "|x| y", [](auto x, auto y) { return abs(x) * y; }, from, to);
+    check(
+        "y |x|", [](auto x, auto y) { return y * abs(x); }, from, to);
+    check(
         "select", [](auto x, auto y) { return select(x < y, y * y, x); }, from, to, from, to);
     check(
         "select", [](auto x, auto y) { return select((x > y) & (x >= -y), x, y + y); }, from, to,
@@ -162,7 +166,18 @@ TEST(Bounded, HoldsWhatArithmeticGives) {
   }
 }
 
+template <class T>
+T gauss(const T& x) {
+  return exp(-(x * x));
+}
+Bounded gauss(const Bounded& x) {
+  const Batch convex = Batch(2) * x.slope * x.slope;
+  return exp_minus(x * x, Batch(2) * convex, convex);
+}
 TEST(Bounded, HoldsWhatFunctionsGive) {
+  for (const double size : {0.1, 1.0, 3.0})
+    check_smooth(
+        "exp(-x^2)", [](auto x, auto) { return gauss(x); }, -size, size);
   check_smooth(
       "sqrt", [](auto x, auto) { return sqrt(x); }, 1e-3, 4);
   check_smooth(
@@ -227,7 +242,7 @@ TEST(Bounded, IsSharpOverAShortWay) {
   const double exact = std::exp(.8) * (.02 * .02) * (2 + .8);  // (x e^x)'' = (2 + x) e^x x'^2
   EXPECT_LT(lanes_of(f.curvature)[0], 1.1 * exact);
   EXPECT_GT(lanes_of(f.curvature)[0], exact);
-  EXPECT_NEAR(lanes_of(missed_by(f, 1))[0], exact / 8, .1 * exact / 8);
+  EXPECT_NEAR(lanes_of(missed_by(f, Spacing::of(1)))[0], exact / 8, .1 * exact / 8);
 }
 
 TEST(Bounded, IsSharpOfPolynomialsWhoseTermsCancel) {
@@ -246,7 +261,7 @@ TEST(Bounded, WhatIsNotKnownStaysUnknown) {
         select(zero > Bounded(0), zero, unknown), exp(unknown), sqrt(unknown), abs(unknown),
         floor(unknown), pow(unknown, Bounded(2)), sin(unknown), asin(unknown),
         atan2(unknown, Bounded(1)), erfc(unknown)})
-    EXPECT_TRUE(std::isnan(lanes_of(missed_by(x, 1))[0]));
+    EXPECT_TRUE(std::isnan(lanes_of(missed_by(x, Spacing::of(1)))[0]));
 }
 
 }  // namespace

@@ -51,7 +51,9 @@ std::string specification(Reader& genes) {
                              "cook-torrance:F=silver,m=" + wide,
                              "cook-torrance:F=dielectric,D=ggx,G=smith,a=" + wide,
                              "torrance-sparrow:m=" + wide,
-                             "torrance-sparrow:D=blinn,n=" + sharp};
+                             "torrance-sparrow:D=blinn,n=" + sharp,
+                             "ashikhmin-shirley:nu=" + wide + ",nv=" + sharp,
+                             "ward:kd=.2,ax=" + wide + ",ay=.1"};
   return all[genes.below(std::size(all))];
 }
 
@@ -64,7 +66,9 @@ struct Written {
 Written scene_of(const Genes& genes) {
   Reader read(genes);
   Written all;
-  const char* const shapes[] = {"cube", "sphere:3", "sphere:6", "icosphere:1", "torus:6", "plane"};
+  // Of the last two the triangles are so small that only their corners are lit.
+  const char* const shapes[] = {"cube",    "sphere:3", "sphere:6",  "icosphere:1",
+                                "torus:6", "plane",    "sphere:16", "torus:24"};
   const auto mesh = std::make_shared<Mesh>(make_shape(shapes[read.below(std::size(shapes))]));
   // Normals that turn faster than the surface.
   const glm::vec3 bend(0.5 * read.vector());
