@@ -2,7 +2,8 @@
 //
 //   spots     S9 under 16 spot lights (outer angle 40 degrees, inverse square) that hang on a grid
 //             of 12 below the ceiling and look down, in place of its light
-//   far       S8P seen by an orthographic camera: viewer and light are infinitely far
+//   far       S6 with lights in the directions of its lamps, seen by an orthographic camera:
+//             viewer and lights are infinitely far
 //   ambient   S4 under no light
 //   inside    S4's sphere seen from inside, both sides of it drawn
 //   msaa4     S8P with 4 samples a pixel
