@@ -24,9 +24,9 @@ class GreatestDepth {
     const double scale = subpixel / (abx * acy - aby * acx);
     const double per_x = (to_b * acy - to_c * aby) * scale,
                  per_y = (to_c * abx - to_b * acx) * scale;
-    // Samples are anywhere in their pixels. Fragments' depths are rounded three times to float
+    // Samples are anywhere in their pixels. Fragments' depths are rounded four times to float
     // (DepthPlane), each time by less than 2^-23 of the greatest. The sums here and in at() are off
-    // by less than 2^-22 of the gradient times the tile's side, at most 2^12: by less than one unit
+    // by less than 2^-22 of the gradient times the tile's side, at most 2^10: by less than one unit
     // of 1/256 pixel, which is added.
     const double corner = a.depth + per_x * (x - a.x / double(subpixel)) +
                           per_y * (y - a.y / double(subpixel)) + std::max(per_x * width, 0.0) +

@@ -16,8 +16,8 @@
 //
 // Its first term is the error of linear interpolation where X' is Lipschitz. Its second: what X has
 // gained over the line rises at a rate p for a time and falls at a rate q for the rest, and p + q
-// is at most the kink. Where nothing is known the slope is NaN, and whatever is computed from it
-// remains so.
+// is at most the kink. Where nothing is known the interval is all numbers and the slope is NaN, and
+// so is that of whatever depends on it.
 //
 // Rounding. Intervals are rounded outwards: after each operation by more than twice its maximum
 // error in Batch, so that the interval holds the exact result and Batch's own. Slopes and
@@ -182,15 +182,18 @@ class Bounded {
   /// `a`, of which elsewhere nothing is known.
   friend Bounded known_where(Batch::Mask m, const Bounded& a) {
     const Batch nan = std::numeric_limits<float>::quiet_NaN();
-    return {a.lo, a.hi, select(m, a.slope, nan), select(m, a.curvature, nan), a.kink};
+    return {select(m, a.lo, Batch(-no_limit)), select(m, a.hi, Batch(no_limit)),
+            select(m, a.slope, nan), select(m, a.curvature, nan), a.kink};
   }
 
  private:
   /// From lo to hi, where neither a nor b is certain: from the one's slope to the other's.
   static Bounded decided(Batch::Mask is_a, const Bounded& a, Batch::Mask is_b, const Bounded& b,
                          Batch lo, Batch hi) {
-    const Batch turn = a.slope + b.slope, unknown = Batch(0) * turn;  // Batch's max may drop a NaN
-    const Bounded either{lo, hi, max(a.slope, b.slope) + unknown, max(a.curvature, b.curvature),
+    const Batch turn = a.slope + b.slope, bend = a.curvature + b.curvature;
+    // Batch's max may drop a NaN.
+    const Bounded either{lo, hi, max(a.slope, b.slope) + Batch(0) * turn,
+                         max(a.curvature, b.curvature) + Batch(0) * bend,
                          max(a.kink, b.kink) + turn};
     return pick(is_a, a, pick(is_b, b, either));
   }

@@ -82,7 +82,7 @@ inline BoundedDirection direction(const BoundedVector& x) {
   const Batch stretched = sqrt(dot(motion.sideways, motion.sideways)) * motion.sine;
   return {.centre = motion.centre,
           // The chord of an angle of up to 30 degrees is at most 1.036 times its sine.
-          .reach = Batch(1.04f) * motion.sine,
+          .reach = select(motion.has_direction(), Batch(1.04f) * motion.sine, Batch(2)),
           .speed = speed,
           .turning = (x.acceleration + Batch(2) * motion.along * speed) * inverse,
           .velocity = motion.sideways * (Batch(1) / motion.length),

@@ -76,7 +76,9 @@ inline Bounded pow(const Cosine<Bounded>& c, const Bounded& n) {
   const Bounded& u = c.versine;
   const Batch log_lo = log_of(u.hi), log_hi = log_of(max(u.lo, Batch(0)));
   Bounded power = power_of_logs(u, log_lo, log_hi, n.hi);
-  const Batch loose = min(abs(n.hi * log_lo) * Batch(1e-6f), Batch(1));
+  // Where Batch multiplies the cosine instead (cosines.h), it magnifies the cosine's rounding.
+  const Batch multiplied = select(n.hi <= Batch(64), n.hi * Batch(2e-7f), Batch(0));
+  const Batch loose = min(mul_add(abs(n.hi * log_lo), 1e-6f, multiplied), Batch(1));
   power = power.widened(loose);
   // At and below 0 the power is 0; for n = 0 it is 1, or 0.
   power.lo = select(u.hi >= Batch(1), min(power.lo, Batch(0)), power.lo);

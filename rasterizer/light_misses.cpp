@@ -24,8 +24,10 @@ Bounded scaled(const Bounded& x, float s) {
                                    x.curvature * by, x.kink * by);
 }
 
-/// Certainly: not where nothing is known.
-Batch::Mask never_positive(const Bounded& x) { return (x.hi <= Batch(0)) & (x.slope >= Batch(0)); }
+/// Certainly, but for what rounding outwards adds to 0: not where nothing is known.
+Batch::Mask never_positive(const Bounded& x) {
+  return (x.hi <= Batch(1e-30f)) & (x.slope >= Batch(0));
+}
 
 /// The share of a light that arrives, as arriving() of radiance.h has it.
 Bounded arriving_share(const LightSource& light, const BoundedVector& to_light,

@@ -6,6 +6,7 @@
 #include <xmmintrin.h>
 
 #include <atomic>
+#include <cstddef>
 
 namespace scanlit {
 
@@ -23,13 +24,19 @@ class FlushSubnormals {
 };
 
 /// Runs work(i) for each i below count, on all threads of the arena that it is called in. A thread
-/// that is free takes the next i: the last ones should be the least, or others wait for them.
+/// that is free takes the next i: the last ones should be the least, or others wait for them. What
+/// work throws is thrown here, once all threads have stopped.
 template <class Work>
 void parallel(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next{0};
   tbb::parallel_for(0, tbb::this_task_arena::max_concurrency(), [&](int) {
     const FlushSubnormals flush;
-    for (std::size_t i; (i = next++) < count;) work(i);
+    try {
+      for (std::size_t i; (i = next++) < count;) work(i);
+    } catch (...) {
+      next = count;
+      throw;
+    }
   });
 }
 

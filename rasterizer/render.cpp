@@ -89,8 +89,8 @@ static_assert(2 * ClusterVertices::capacity * most_clusters_in_chunk <= 1 << 16,
               "LitSites::corners holds the sites of a chunk's vertices, of either side");
 
 /// Measured on a million triangles: chunks of 8 take 8 % longer a frame than chunks of 64, which
-/// take 50 microseconds to assemble. Of few clusters they are smaller all the same, for every
-/// thread to have some.
+/// take 50 microseconds to assemble. Of few clusters they are smaller all the same, for up to eight
+/// threads to have some; not by how many there are, for strides are decided chunk by chunk.
 std::uint32_t clusters_in_chunk(const std::vector<Draw>& draws) {
   std::size_t count = 0;
   for (const Draw& draw : draws) count += draw.clusters->clusters.size();

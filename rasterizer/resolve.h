@@ -150,11 +150,13 @@ class Resolver {
                                           FragmentSpan& span) {
     const TriangleId id = row[begin];
     while (begin < end) {
-      const auto [stride, until] = stride_at(id, *visibility_.triangles[id], begin, y, end);
-      if (stride > 1)
+      auto [stride, until] = stride_at(id, *visibility_.triangles[id], begin, y, end);
+      if (stride > 1) {
+        until = std::min(until, begin + (FragmentSpan::capacity - 1) * stride + 1);
         append_some(id, begin, y, until - begin, stride, span);
-      else
+      } else {
         append_pixels(begin, until, y, row, span);
+      }
       begin = until;
     }
   }
@@ -164,8 +166,11 @@ class Resolver {
     int stride, until;
   };
   Stretch stride_at(TriangleId id, const DrawnTriangle& drawn, int x, int y, int end) {
+    const auto stretch_to = [&](int until, int stride) {
+      return Stretch{until - x > 3 ? stride : 1, until};
+    };
     const int of_triangle = stride_of(frame_, drawn);
-    if (of_triangle != by_strips) return {of_triangle, end};
+    if (of_triangle != by_strips) return stretch_to(end, of_triangle);
     StripStrides& strip = strips_[id];
     if (y >= strip.y_end) strip = strides_in(frame_, drawn, visibility_.rect, y);
     const int column = (x - strip.x_begin) / strip.width, stride = strip.stride[column];
@@ -174,8 +179,7 @@ class Resolver {
     const bool whole = (x - strip.x_begin) % strip.width == 0;
     while (whole && strip.x_begin + until * strip.width < end && strip.stride[until] == stride)
       ++until;
-    until = std::min(end, strip.x_begin + until * strip.width);
-    return {until - x > 3 ? stride : 1, until};
+    return stretch_to(std::min(end, strip.x_begin + until * strip.width), stride);
   }
 
   FragmentSpan& span_of(const DrawnTriangle& drawn) {
@@ -186,7 +190,7 @@ class Resolver {
     return *span_;
   }
 
-  /// Only every so many pixels, and the last.
+  /// Only every so many pixels, and the last: no more than a span holds.
   void append_some(TriangleId id, int x, int y, int count, int stride, FragmentSpan& span) {
     const int size = (count - 2) / stride + 2;
     if (span.size + size > FragmentSpan::capacity) shade(span);

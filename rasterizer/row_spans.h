@@ -9,9 +9,9 @@
 namespace scanlit {
 
 /// Finds what for_each_span emits, and the depth at each span's first pixel. Where that calls for
-/// ceil(N / D) in whole numbers, here is the same in double: N < 2^52 and D are exact there, and in
-/// the triangle's box N / D < 2^19 lies at least 1 / D > 2^-34 from the next whole number, if not
-/// on it: farther than rounding takes it.
+/// ceil(N / D) in whole numbers, here is the same in double: N and D are exact there, and N / D, if
+/// it is not whole, lies at least 1 / D from the next whole number. Rounding takes it less far: by
+/// 2^-53 N / D at most, where N < 2^52. The triangle has an area.
 class RowSpans {
  public:
   RowSpans(const ScreenTriangle& triangle, const DepthPlane& plane) : depth_(plane) {

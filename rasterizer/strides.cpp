@@ -198,13 +198,11 @@ bool try_strides(const Frame& frame, Chunk& chunk) {
 
 int stride_of(const Frame& frame, const DrawnTriangle& drawn) {
   const Chunk& chunk = frame.chunks[drawn.chunk];
-  if (!chunk.strides) return 1;
+  // What others have found of it meanwhile is not asked: that would depend on the threads.
+  if (!chunk.strides || pixels_of(drawn) < min_pixels_alone) return 1;
   const std::size_t number = chunk.number_of(drawn);
   const std::atomic<std::uint8_t>& known = chunk.strides[number];
-  if (known.load(std::memory_order_relaxed) == 0) {
-    if (pixels_of(drawn) < min_pixels_alone) return 1;
-    find_strides(frame, chunk, number);
-  }
+  if (known.load(std::memory_order_relaxed) == 0) find_strides(frame, chunk, number);
   return known.load(std::memory_order_relaxed);
 }
 

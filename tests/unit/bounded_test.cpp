@@ -264,5 +264,23 @@ TEST(Bounded, WhatIsNotKnownStaysUnknown) {
     EXPECT_TRUE(std::isnan(lanes_of(missed_by(x, Spacing::of(1)))[0]));
 }
 
+// 1 / x of a negative and a positive x is anything: nothing is decided by it.
+TEST(Bounded, WhatIsNotKnownDecidesNothing) {
+  const Bounded x(Batch(-1), Batch(2), 1, 1), unknown = Bounded(1) / x, far(5);
+  for (const Bounded& chosen : {max(unknown, far), min(unknown, -far), abs(unknown)})
+    EXPECT_TRUE(std::isnan(lanes_of(chosen.slope)[0]));
+  const Bounded either = select(unknown < Bounded(3), far, x);
+  EXPECT_LE(lanes_of(either.lo)[0], -1);
+  EXPECT_GE(lanes_of(either.hi)[0], 5);
+  EXPECT_EQ(lanes_of(either.slope)[0], Bounded::no_limit);
+}
+
+TEST(Bounded, AnUnknownCurvatureIsNotTakenForNone) {
+  const Batch nan = std::numeric_limits<float>::quiet_NaN();
+  const Bounded x(Batch(-1), Batch(2), 1, nan), y(Batch(0), Batch(1), 1, 0);
+  for (const Bounded& either : {max(x, y), max(y, x), min(x, y), min(y, x), abs(x)})
+    EXPECT_EQ(lanes_of(missed_by(either, Spacing::of(1)))[0], Bounded::rounding_slack / 2);
+}
+
 }  // namespace
 }  // namespace scanlit

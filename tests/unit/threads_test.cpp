@@ -108,6 +108,19 @@ TEST(ThreadSettings, ProgressRisesToOne) {
   EXPECT_EQ(last, 1.0);
 }
 
+TEST(ThreadSettings, ProgressThatThrowsStopsAllThreads) {
+  for (const int threads : {1, 4}) {
+    int calls = 0;
+    RenderSettings settings{.threads = threads};
+    settings.progress = [&](double) {
+      if (++calls == 5) throw std::runtime_error("enough");
+    };
+    EXPECT_THROW(picture_of(scene_of({}), eye_at_origin(), 200, 30000, settings),
+                 std::runtime_error);
+    EXPECT_LT(calls, 100) << "tiles of 469";
+  }
+}
+
 TEST(ThreadSettings, SettingsOutOfRangeAreRefused) {
   Framebuffer framebuffer(4, 4);
   for (const int threads : {-1, 1025}) {
