@@ -148,13 +148,15 @@ TEST(Watertight, DiscCoversWhatItsBorderGoesAround) {
   }
 }
 
+template <class P, class Q, class R>
+Real determinant(const P& p, const Q& q, const R& r) {
+  return p[0] * (Real(q[1]) * r[2] - Real(q[2]) * r[1]) -
+         p[1] * (Real(q[0]) * r[2] - Real(q[2]) * r[0]) +
+         p[2] * (Real(q[0]) * r[1] - Real(q[1]) * r[0]);
+}
+
 /// The ray (x, y, -1) from the eye meets the triangle's front (1) or back (-1) beyond `near`.
 int facing(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, Real x, Real y, Real near) {
-  const auto determinant = [](const auto& p, const auto& q, const auto& r) {
-    return p[0] * (Real(q[1]) * r[2] - Real(q[2]) * r[1]) -
-           p[1] * (Real(q[0]) * r[2] - Real(q[2]) * r[0]) +
-           p[2] * (Real(q[0]) * r[1] - Real(q[1]) * r[0]);
-  };
   const Real ray[3] = {x, y, -1}, volume = determinant(a, b, c);
   if (volume == 0) return 0;
   const Real b0 = determinant(ray, b, c) / volume, b1 = determinant(a, ray, c) / volume,
@@ -169,7 +171,8 @@ TEST(Watertight, ClippedMeshCoversWhatRaysHit) {
       "a mesh cut by the near plane or the guard band covers what rays hit, each "
       "triangle as often and from the same side",
       "grids of 2 to 72 triangles from behind the eye to far beyond the guard band; "
-      "pixels whose rays all hit the same up to 1/64 pixel around",
+      "pixels whose rays all hit the same, and pass the border on the same side, up to 1/64 pixel "
+      "around",
       "faces too many", 400};
   constexpr int size = 24;
   const Viewport viewport{size, size};
@@ -200,17 +203,25 @@ TEST(Watertight, ClippedMeshCoversWhatRaysHit) {
       for (const ClippedTriangle& p : pieces) sum.add(p.vertices[0], p.vertices[1], p.vertices[2]);
       cut += planes != 0;
     }
+    const std::vector<std::uint32_t> border = grid.border();
     for_each_pixel(sum.window(), [&](int x, int y) {
       int expected[9];
+      std::vector<int> left(border.size());  // rays that pass there
       for (int k = 0; k < 9; ++k) {
         const Real sx = x + 0.5L + (k % 3 - 1) / 64.0L, sy = y + 0.5L + (k / 3 - 1) / 64.0L;
+        const Real ray[3] = {sx * 2 / size - 1, 1 - sy * 2 / size, -1};
         expected[k] = 0;
         for (std::size_t i = 0; i < grid.indices.size(); i += 3)
           expected[k] += facing(positions[grid.indices[i]], positions[grid.indices[i + 1]],
-                                positions[grid.indices[i + 2]], sx * 2 / size - 1,
-                                1 - sy * 2 / size, Real(0.1f));
+                                positions[grid.indices[i + 2]], ray[0], ray[1], Real(0.1f));
         if (expected[k] != expected[0]) return;
+        // Where one part of the border lies over another, as many are hit on either side of both;
+        // but snapping may take the one past the pixel's centre and leave the other.
+        for (std::size_t i = 0; i < border.size(); ++i)
+          left[i] += determinant(positions[border[i]], positions[border[(i + 1) % border.size()]],
+                                 ray) > 0;
       }
+      if (std::ranges::any_of(left, [](int rays) { return rays % 9 != 0; })) return;
       property.measure(std::abs(sum.signed_sum(x, y) - expected[0]), "pixel ", x, " ", y);
     });
     EXPECT_EQ(property.worst(), 0);
