@@ -9,6 +9,7 @@
 
 #include "rasterizer/barycentric.h"
 #include "rasterizer/batch.h"
+#include "rasterizer/compress.h"
 #include "rasterizer/span_collector.h"
 #include "rasterizer/span_filling.h"
 #include "rasterizer/strides.h"
@@ -121,7 +122,7 @@ class Resolver {
       const auto here = hn::LoadU(unsigneds, row + x), next = hn::LoadU(unsigneds, row + x + 1);
       const auto in_row = hn::FirstN(unsigneds, std::size_t(pixels.x_end - 1 - x));
       const auto last = hn::RebindMask(ints, hn::And(hn::Ne(here, next), in_row));
-      hn::StoreU(hn::Compress(hn::Iota(ints, x + 1), last), ints, &ends_[count]);
+      hn::StoreU(compressed(hn::Iota(ints, x + 1), last), ints, &ends_[count]);
       count += hn::CountTrue(ints, last);
     }
     ends_[count++] = pixels.x_end;

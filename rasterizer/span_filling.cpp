@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "rasterizer/batch.h"
+#include "rasterizer/compress.h"
 
 namespace scanlit {
 
@@ -36,12 +36,12 @@ void append_fitting(int begin, int end, int y, const TriangleId* row, FragmentSp
     const auto fragment = hn::Add(count_before(covered), hn::Set(unsigneds, unsigned(size)));
     const auto run = hn::Add(count_before(last), hn::Set(unsigneds, unsigned(runs)));
     const auto pixel = hn::Iota(unsigneds, packed_pixel(x, y));
-    hn::StoreU(hn::Compress(pixel, covered), unsigneds, span.pixel + size);
-    hn::StoreU(hn::BitCast(ints, hn::Compress(run, covered)), ints, span.run + size);
+    hn::StoreU(compressed(pixel, covered), unsigneds, span.pixel + size);
+    hn::StoreU(hn::BitCast(ints, compressed(run, covered)), ints, span.run + size);
     Batch(1).store(span.weight + size);
-    hn::StoreU(hn::Compress(id, last), unsigneds, span.triangle + runs);
+    hn::StoreU(compressed(id, last), unsigneds, span.triangle + runs);
     const auto past = hn::Add(fragment, hn::Set(unsigneds, 1u));
-    hn::StoreU(hn::Compress(past, last), unsigneds, span.end + runs);
+    hn::StoreU(compressed(past, last), unsigneds, span.end + runs);
     size += int(hn::CountTrue(unsigneds, covered));
     runs += int(hn::CountTrue(unsigneds, last));
   }

@@ -2,6 +2,7 @@
 // triangles and not over pixels: position by position in all their boxes at once.
 #include "rasterizer/tiny_triangles.h"
 
+#include "rasterizer/compress.h"
 #include "rasterizer/doubles.h"
 #include "rasterizer/scan_conversion.h"
 
@@ -79,10 +80,10 @@ struct Fragments {
   float depth[padded];
 
   void append(IntMask covered, IntVector places, const Batch& depths) {
-    hn::StoreU(hn::Compress(hn::Iota(ints, 0), covered), ints, lane + count);
-    hn::StoreU(hn::Compress(places, covered), ints, place + count);
+    hn::StoreU(compressed(hn::Iota(ints, 0), covered), ints, lane + count);
+    hn::StoreU(compressed(places, covered), ints, place + count);
     const auto floats = hn::RebindMask(Batch::tag, covered);
-    hn::StoreU(hn::Compress(depths.raw, floats), Batch::tag, depth + count);
+    hn::StoreU(compressed(depths.raw, floats), Batch::tag, depth + count);
     count += int(hn::CountTrue(ints, covered));
   }
 };
