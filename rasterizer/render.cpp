@@ -157,21 +157,6 @@ std::vector<Redo> Renderer::State::find_tiles(const Frame& frame, const Changes&
   return tiles;
 }
 
-/// (8) Which draws may be shaded every few pixels: those of which half is worth it.
-void try_all_strides(Frame& frame) {
-  std::vector<std::uint8_t> worth(frame.chunks.size());
-  parallel(worth.size(), [&](std::size_t i) { worth[i] = try_strides(frame, frame.chunks[i]); });
-  std::vector<std::int64_t> pixels(frame.draws.size()), bounded(frame.draws.size());
-  for (const Chunk& chunk : frame.chunks) {
-    if (chunk.bins.empty()) continue;  // its entries are another frame's
-    for (const BinEntry& entry : chunk.entries) {
-      pixels[chunk.draw->index] += entry.pixels;
-      bounded[chunk.draw->index] += worth[chunk.index] ? entry.pixels : 0;
-    }
-  }
-  for (Draw& draw : frame.draws) draw.may_stride = bounded[draw.index] > pixels[draw.index] / 2;
-}
-
 /// The tiles in the order to draw them. One that is full takes a twentieth of a frame's time or
 /// more: drawn last, all threads but one would wait for it. Among tiles that are nearly alike the
 /// order stays, for neighbours have clusters in common.

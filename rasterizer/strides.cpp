@@ -6,6 +6,7 @@
 #include <span>
 
 #include "rasterizer/light_misses.h"
+#include "rasterizer/parallel.h"
 #include "rasterizer/pixel_codes.h"
 #include "rasterizer/span_math.h"
 #include "rasterizer/tangents.h"
@@ -138,6 +139,33 @@ void find_columns(const Frame& frame, const DrawnTriangle& drawn, const Rect& ro
   for (int lane = 0; lane < Batch::lanes; ++lane) found[lane] = std::uint8_t(result.of[lane]);
 }
 
+/// Bounds some of a chunk's triangles, and by them decides whether the others are worth it, which
+/// else are shaded at every pixel. False: none of the chunk is.
+bool try_strides(const Frame& frame, Chunk& chunk) {
+  chunk.strides = nullptr;
+  const std::size_t count = chunk.triangles.size();
+  if (count == 0 || !may_stride(frame, *chunk.draw)) return false;
+  chunk.strides = std::make_unique<std::atomic<std::uint8_t>[]>(count);
+  const std::size_t vectors = (count + max_lanes - 1) / max_lanes, some = std::min(vectors, tries);
+  Tried all;
+  for (std::size_t i = 0; i < some; ++i) {
+    const Tried tried = find_strides(frame, chunk, vectors * (2 * i + 1) / (2 * some) * max_lanes);
+    all.bounded += tried.bounded, all.kept += tried.kept, all.large |= tried.large;
+  }
+  const bool worth = all.kept < max_kept * all.bounded;
+  double pixels = 0, bounded = 0;
+  for (std::size_t i = 0; i < count && (worth || all.large); ++i) {
+    const double of_triangle = pixels_of(chunk.triangles[i]);
+    const bool large = of_triangle >= large_pixels;
+    pixels += of_triangle;
+    if (large || (worth && of_triangle >= min_pixels)) bounded += of_triangle;
+    if (!worth) chunk.strides[i].store(large ? by_strips : 1, std::memory_order_relaxed);
+  }
+  // Where few are bounded, asking for them costs as much as they spare.
+  if (bounded <= min_share * pixels) chunk.strides = nullptr;
+  return chunk.strides != nullptr;
+}
+
 }  // namespace
 
 bool may_be_near(const Frame& frame) {
@@ -171,29 +199,18 @@ StripStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Re
   return strip;
 }
 
-bool try_strides(const Frame& frame, Chunk& chunk) {
-  chunk.strides = nullptr;
-  const std::size_t count = chunk.triangles.size();
-  if (count == 0 || !may_stride(frame, *chunk.draw)) return false;
-  chunk.strides = std::make_unique<std::atomic<std::uint8_t>[]>(count);
-  const std::size_t vectors = (count + max_lanes - 1) / max_lanes, some = std::min(vectors, tries);
-  Tried all;
-  for (std::size_t i = 0; i < some; ++i) {
-    const Tried tried = find_strides(frame, chunk, vectors * (2 * i + 1) / (2 * some) * max_lanes);
-    all.bounded += tried.bounded, all.kept += tried.kept, all.large |= tried.large;
+void try_all_strides(Frame& frame) {
+  std::vector<std::uint8_t> worth(frame.chunks.size());
+  parallel(worth.size(), [&](std::size_t i) { worth[i] = try_strides(frame, frame.chunks[i]); });
+  std::vector<std::int64_t> pixels(frame.draws.size()), bounded(frame.draws.size());
+  for (const Chunk& chunk : frame.chunks) {
+    if (chunk.bins.empty()) continue;  // its entries are another frame's
+    for (const BinEntry& entry : chunk.entries) {
+      pixels[chunk.draw->index] += entry.pixels;
+      bounded[chunk.draw->index] += worth[chunk.index] ? entry.pixels : 0;
+    }
   }
-  const bool worth = all.kept < max_kept * all.bounded;
-  double pixels = 0, bounded = 0;
-  for (std::size_t i = 0; i < count && (worth || all.large); ++i) {
-    const double of_triangle = pixels_of(chunk.triangles[i]);
-    const bool large = of_triangle >= large_pixels;
-    pixels += of_triangle;
-    if (large || (worth && of_triangle >= min_pixels)) bounded += of_triangle;
-    if (!worth) chunk.strides[i].store(large ? by_strips : 1, std::memory_order_relaxed);
-  }
-  // Where few are bounded, asking for them costs as much as they spare.
-  if (bounded <= min_share * pixels) chunk.strides = nullptr;
-  return chunk.strides != nullptr;
+  for (Draw& draw : frame.draws) draw.may_stride = bounded[draw.index] > pixels[draw.index] / 2;
 }
 
 int stride_of(const Frame& frame, const DrawnTriangle& drawn) {

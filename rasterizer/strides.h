@@ -59,9 +59,9 @@ struct StripStrides {
 /// From row y of a tile on.
 StripStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& tile, int y);
 
-/// Bounds some of a chunk's triangles, and by them decides whether the others are worth it, which
-/// else are shaded at every pixel. False: none of the chunk is.
-bool try_strides(const Frame& frame, Chunk& chunk);
+/// Decides, in all threads of the arena, which draws may be shaded so: those of which half is worth
+/// it, by the bounds of some triangles of each chunk.
+void try_all_strides(Frame& frame);
 /// In all of the triangle: 1, 2, 4, 8 or 16, or `by_strips`, if it is large. Found when a triangle
 /// of the chunk is first asked for, for a whole vector of them, and kept for the frame.
 int stride_of(const Frame& frame, const DrawnTriangle& drawn);

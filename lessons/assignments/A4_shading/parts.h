@@ -38,7 +38,8 @@ Weights any_weights(Dice& dice);
 
 std::string words(Vector v, int decimals = 4);  // "(0.2500, 0.0000, -1.0000)"
 /// Each after its words, with as many decimals as show that they differ.
-std::string both(const char* before_yours, Vector yours, const char* before_right, Vector right);
+std::string yours_and_right(const char* before_yours, Vector yours, const char* before_right,
+                            Vector right);
 std::string describe(const Scene& scene);
 
 /// Three numbers; what the function asks back of earlier parts is answered as the variant has it.

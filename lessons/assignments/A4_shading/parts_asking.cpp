@@ -12,7 +12,8 @@ std::string words(Vector v, int decimals) {
          studio::fixed(v.z, decimals) + ")";
 }
 
-std::string both(const char* before_yours, Vector yours, const char* before_right, Vector right) {
+std::string yours_and_right(const char* before_yours, Vector yours, const char* before_right,
+                            Vector right) {
   const int most = 9;
   const bool same = words(yours, most) == words(right, most);
   int decimals = 4;
@@ -101,7 +102,8 @@ Weights any_weights(Dice& dice) {
 Finding compare(const std::string& question, Vector got, Vector right,
                 const std::vector<Mistake>& mistakes) {
   if (equal(got, right)) return {};
-  std::string message = question + both("\n  yours:     ", got, "\n  should be: ", right);
+  std::string message =
+      question + yours_and_right("\n  yours:     ", got, "\n  should be: ", right);
   for (const Mistake& mistake : mistakes)
     if (equal(got, mistake.result) && !equal(right, mistake.result)) {
       message += std::string("\n") + mistake.hint;

@@ -102,7 +102,7 @@ std::string derive(Examination& e, const Fault& fault, Interpolated what, const 
   const ShadingVariant variant = shading_variant(e.variant);
   const auto step = [&](const char* name, int kind, const Numbers& question, Vector right) {
     return std::string("\n    ") + name +
-           both("  yours ", ask(e, kind, question), ", should be ", right);
+           yours_and_right("  yours ", ask(e, kind, question), ", should be ", right);
   };
   const auto light_at = [&](Vector normal, Vector position) {
     const Vector to_viewer = unit(scene.eye - position);
@@ -173,8 +173,8 @@ Finding test_shading(Examination& e, int kind, Interpolated what, const std::str
   return Finding::wrong("In " + name + " shading " + std::to_string(off->count) +
                         " pixels differ, first that at column " + std::to_string(off->x) +
                         ", row " + std::to_string(off->y) +
-                        both(":\n  yours:     ", colour_at(fresh, off->x, off->y),
-                             "\n  should be: ", colour_at(reference, off->x, off->y)) +
+                        yours_and_right(":\n  yours:     ", colour_at(fresh, off->x, off->y),
+                                        "\n  should be: ", colour_at(reference, off->x, off->y)) +
                         (faults.empty() ? "" : derive(e, faults[0], what, stage.shaded)));
 }
 
