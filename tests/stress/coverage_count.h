@@ -9,6 +9,12 @@
 
 namespace scanlit::stress {
 
+template <class Use>
+void for_each_pixel(const Rect& r, const Use& use) {
+  for (int y = r.y_begin; y < r.y_end; ++y)
+    for (int x = r.x_begin; x < r.x_end; ++x) use(x, y);
+}
+
 /// A window of a picture; how often each of its pixels is covered, back faces counting -1.
 class CoverageCount {
  public:
@@ -25,12 +31,11 @@ class CoverageCount {
     tile_.reset(box, box, 1);
     tile_.triangles.push_back(&drawn);
     if (scan_convert_tiny({&drawn, 1}, 0, tile_) != 0) scan_convert(0, tile_, nullptr);
-    for (int y = box.y_begin; y < box.y_end; ++y)
-      for (int x = box.x_begin; x < box.x_end; ++x) {
-        if (tile_.triangle[tile_.row(0, y) + std::size_t(x - box.x_begin)] == no_triangle) continue;
-        sum_[index(x, y)] += triangle.twice_area > 0 ? 1 : -1;
-        ++touched_[index(x, y)];
-      }
+    for_each_pixel(box, [&](int x, int y) {
+      if (tile_.triangle[tile_.row(0, y) + std::size_t(x - box.x_begin)] == no_triangle) return;
+      sum_[index(x, y)] += triangle.twice_area > 0 ? 1 : -1;
+      ++touched_[index(x, y)];
+    });
   }
 
   const Rect& window() const { return window_; }

@@ -10,6 +10,7 @@
 
 #include "rasterizer/scan_conversion.h"
 #include "rasterizer/shapes.h"
+#include "tests/unit/clip_space.h"
 #include "tests/unit/test_scene.h"
 
 namespace scanlit {
@@ -30,21 +31,6 @@ Draw draw_of(const Mesh& mesh, const glm::mat4& world_from_object, const Camera&
           .draw_back_faces = false,
           .mirrored = glm::determinant(glm::dmat3(m)) < 0,
           .illumination = {}};
-}
-
-unsigned outcode(const ClipVertex& v, const Viewport& viewport) {
-  const float limit_x = v.w * viewport.guard_x(), limit_y = v.w * viewport.guard_y();
-  const float magnitudes[] = {std::abs(v.x), std::abs(v.y), std::abs(v.z), std::abs(v.w)};
-  unsigned code = 0;
-  const auto require = [&](bool inside, Outside bit) { code |= inside ? 0u : unsigned(bit); };
-  require(v.z <= v.w, outside_near);
-  require(v.z >= 0, outside_far);
-  require(-limit_x <= v.x, outside_left);
-  require(v.x <= limit_x, outside_right);
-  require(-limit_y <= v.y, outside_bottom);
-  require(v.y <= limit_y, outside_top);
-  for (const float magnitude : magnitudes) require(magnitude <= 1e18f, out_of_range);
-  return code;
 }
 
 /// What becomes of one triangle, or of the pieces that it is cut into.
