@@ -26,10 +26,9 @@ std::vector<PointRecord> site_points(const Frame& frame, const Run& run, Surface
     const auto* corners = &chunk.lit.corners[3 * triangle];
     sites.assign(corners, corners + 3);
   }
-  surface.size = int(sites.size());
-  for (int i = 0; i < surface.size; ++i)
-    put_site(draw, draw.object->material.model->needs(), chunk.lit.sites[sites[std::size_t(i)]], i,
-             surface);
+  std::vector<LitSites::Site> own;
+  for (const std::size_t site : sites) own.push_back(chunk.lit.sites[site]);
+  put_sites(draw, draw.object->material.model->needs(), own, surface);
   std::vector<PointRecord> points = light_points(frame, draw, surface);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const LitSites& lit = chunk.lit;

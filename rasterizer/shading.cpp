@@ -69,9 +69,8 @@ void light_sites(const Frame& frame, const Draw& draw, LitSites& lit_sites, Fram
   for (auto* part : {&lit_sites.ambient, &lit_sites.diffuse, &lit_sites.glossy})
     part->resize(frame.with_parts ? padded : 0);
   for (std::size_t begin = 0; begin < count; begin += SurfaceSpan::capacity) {
-    surface.size = int(std::min<std::size_t>(SurfaceSpan::capacity, count - begin));
-    for (int i = 0; i < surface.size; ++i)
-      put_site(draw, needs, lit_sites.sites[begin + std::size_t(i)], i, surface);
+    const std::size_t size = std::min<std::size_t>(SurfaceSpan::capacity, count - begin);
+    put_sites(draw, needs, std::span(lit_sites.sites).subspan(begin, size), surface);
     light(frame, draw, surface, lit, stats);
     store_sites(lit, surface.size, frame.settings.clamp_vertex_colours, lit_sites, begin);
   }

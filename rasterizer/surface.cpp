@@ -35,10 +35,9 @@ V mean(const std::vector<V>& attribute, std::span<const std::size_t> vertices, c
   return sum / float(vertices.size());
 }
 
-void put_point(const Mesh& mesh, const Needs& needs, std::span<const std::size_t> vertices,
-               const glm::vec3& position, const glm::vec3& normal, int i, SurfaceSpan& surface) {
-  put(position, i, surface.position);
-  put(normal, i, surface.normal);
+/// What only some models need.
+void put_others(const Mesh& mesh, const Needs& needs, std::span<const std::size_t> vertices, int i,
+                SurfaceSpan& surface) {
   if (needs_points(needs)) {
     put(mean(mesh.texcoords, vertices, glm::vec2(0)), i, surface.texcoord);
     put(mean(mesh.colours, vertices, glm::vec3(1)), i, surface.colour);
@@ -51,7 +50,7 @@ void fill(float (&out)[components][SurfaceSpan::padded], float value) {
   for (auto& component : out) std::ranges::fill(component, value);
 }
 
-constexpr int ahead = 8;  // runs: about as long as memory takes to answer
+constexpr int ahead = 8;  // runs, or vertices: about as long as memory takes to answer
 
 /// An attribute of the mesh's vertices.
 template <bool fine, class V>
@@ -102,16 +101,27 @@ Face face(const Mesh& mesh, std::uint32_t triangle) {
   return {(a + b + c) / 3.0, length > 0 ? normal / length : glm::dvec3(0)};
 }
 
-void put_site(const Draw& draw, const Needs& needs, const LitSites::Site& site, int i,
-              SurfaceSpan& surface) {
+void put_sites(const Draw& draw, const Needs& needs, std::span<const LitSites::Site> sites,
+               SurfaceSpan& surface) {
   const Mesh& mesh = *draw.mesh;
-  const float sign = site.from_behind ? -1.0f : 1.0f;
-  if (draw.object->shading == Shading::flat) {
-    const auto [centroid, normal] = face(mesh, site.element);
-    put_point(mesh, needs, Corners(mesh, site.element).vertex, centroid, sign * normal, i, surface);
-  } else {
-    const std::size_t v = site.element;
-    put_point(mesh, needs, {&v, 1}, mesh.positions[v], sign * mesh.normals[v], i, surface);
+  const bool others = needs_points(needs) || needs.frame;
+  surface.size = int(sites.size());
+  for (int i = 0; i < surface.size; ++i) {
+    const auto [element, from_behind] = sites[std::size_t(i)];
+    const float sign = from_behind ? -1.0f : 1.0f;
+    if (draw.object->shading == Shading::flat) {
+      const auto [centroid, normal] = face(mesh, element);
+      put(centroid, i, surface.position);
+      put(sign * normal, i, surface.normal);
+      if (others) put_others(mesh, needs, Corners(mesh, element).vertex, i, surface);
+    } else {
+      const std::uint32_t later = sites[std::size_t(std::min(i + ahead, surface.size - 1))].element;
+      hwy::Prefetch(&mesh.positions[later]), hwy::Prefetch(&mesh.normals[later]);
+      const std::size_t vertex = element;
+      put(mesh.positions[vertex], i, surface.position);
+      put(sign * mesh.normals[vertex], i, surface.normal);
+      if (others) put_others(mesh, needs, {&vertex, 1}, i, surface);
+    }
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstring>
+#include <span>
 #include <vector>
 
 #include "rasterizer/of_runs.h"
@@ -42,9 +43,10 @@ struct Face {
 };
 Face face(const Mesh& mesh, std::uint32_t triangle);
 
-/// A site of a flat or Gouraud object becomes point i: the face's centroid, or the vertex.
-void put_site(const Draw& draw, const Needs& needs, const LitSites::Site& site, int i,
-              SurfaceSpan& surface);
+/// Sites of a flat or Gouraud object become points: the faces' centroids, or the vertices. At most
+/// SurfaceSpan::capacity.
+void put_sites(const Draw& draw, const Needs& needs, std::span<const LitSites::Site> sites,
+               SurfaceSpan& surface);
 
 /// An attribute over the runs of a span: a0 + b1 (a1 - a0) + b2 (a2 - a0). `fine`: the small terms
 /// first, so that only one sum is rounded at the size of a0. A solid texture's fine fibres magnify
