@@ -7,8 +7,7 @@
 //   model        the reflection model at the points that were lit, everything it looks at prepared
 //                and in the cache
 //   arithmetic   the operations that transform, cull, set up and interpolate (counted below), at
-//   the
-//                rate of independent multiply-adds
+//                the rate of independent multiply-adds
 // No frame can beat the sum by much: the four overlap a little, and only the first is bound to be
 // reached. It leaves out what scan conversion decides pixel by pixel, and everything that is not in
 // vectors.
