@@ -53,6 +53,18 @@ Bounded arriving_share(const LightSource& light, const BoundedVector& to_light,
               chain(inside, value, 1.5f, 6.0f));
 }
 
+/// As cosines() of bounded_directions.h, where N.L is known, and N.V, which all lights share.
+Cosines<Bounded> cosines(const Cosine<Bounded>& n_l, const BoundedSurface& surface,
+                         const BoundedDirection& l) {
+  const BoundedVector s = sum(l, surface.v);
+  return {.n_l = n_l.cos,
+          .n_v = max(surface.n_v.cos, Bounded(min_n_v)),
+          .n_h = cosine(surface.n, direction(s)),
+          .v_h = min(Bounded(1), Bounded(0.5f) * length(s)),
+          .n_l_versine = n_l.versine,
+          .n_v_versine = min(surface.n_v.versine, Bounded(1 - min_n_v))};
+}
+
 /// Adds a light; false where nothing is known of the model.
 ///
 /// Where it sets, the formula's value ends. It is taken as it is above the horizon and, beyond, at
@@ -60,7 +72,6 @@ Bounded arriving_share(const LightSource& light, const BoundedVector& to_light,
 /// a straight line misses by at most its size.
 bool add_light(const ReflectionModel& model, const LightSource& light, const ScreenGroup& group,
                const BoundedSurface& surface, std::span<const Spacing> spacings, Misses& sum) {
-  const BoundedDirection &n = surface.n, &v = surface.v;
   BoundedDirection l{.centre = broadcast(light.to_light)};
   Bounded share(1);
   if (!light.far) {
@@ -68,11 +79,13 @@ bool add_light(const ReflectionModel& model, const LightSource& light, const Scr
     l = direction(to_light);
     share = arriving_share(light, to_light, l);
   }
-  BoundedCosines in{cosines(n, l, v), surface.framed ? &surface.axes : nullptr, l, v};
-  Cosines<Bounded>& c = in.cosines;
-  const auto dark = never_positive(c.n_l) | never_positive(share);
+  const Cosine<Bounded> n_l = cosine(surface.n, l);
+  const auto dark = never_positive(n_l.cos) | never_positive(share);
   const Batch lit = select(dark, Batch(0), Batch(1));
   if (none(lit > Batch(0))) return true;
+  BoundedCosines in{cosines(n_l, surface, l), surface.framed ? &surface.axes : nullptr, l,
+                    surface.v};
+  Cosines<Bounded>& c = in.cosines;
   const auto horizon = c.n_l.lo <= Batch(0), crossed = horizon & (lit > Batch(0));
   c.n_l = max(c.n_l, Bounded(0)), c.n_l_versine = min(c.n_l_versine, Bounded(1));
   BoundedReflection above, at_horizon;

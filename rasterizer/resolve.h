@@ -171,16 +171,17 @@ class Resolver {
       return Stretch{until - x > 3 ? stride : 1, until};
     };
     const int of_triangle = stride_of(frame_, drawn);
-    if (of_triangle != by_strips) return stretch_to(end, of_triangle);
-    StripStrides& strip = strips_[id];
-    if (y >= strip.y_end) strip = strides_in(frame_, drawn, visibility_.rect, y);
-    const int column = (x - strip.x_begin) / strip.width, stride = strip.stride[column];
+    if (of_triangle != by_cells) return stretch_to(end, of_triangle);
+    const auto [of_id, is_new] = cells_.try_emplace(id);
+    CellStrides& cells = of_id->second;
+    if (is_new) cells = strides_in(frame_, drawn, visibility_.rect);
+    const std::uint8_t* const strides = cells.in_row(y);
+    const int column = (x - cells.x_begin) / cells.width, stride = strides[column];
     int until = column + 1;
-    // From within a column no stride may lead into the next.
-    const bool whole = (x - strip.x_begin) % strip.width == 0;
-    while (whole && strip.x_begin + until * strip.width < end && strip.stride[until] == stride)
-      ++until;
-    return stretch_to(std::min(end, strip.x_begin + until * strip.width), stride);
+    // From within a cell no stride may lead into the next.
+    const bool whole = (x - cells.x_begin) % cells.width == 0;
+    while (whole && cells.x_begin + until * cells.width < end && strides[until] == stride) ++until;
+    return stretch_to(std::min(end, cells.x_begin + until * cells.width), stride);
   }
 
   FragmentSpan& span_of(const DrawnTriangle& drawn) {
@@ -282,7 +283,7 @@ class Resolver {
   std::vector<TriangleId> row_;
   std::vector<std::int32_t> ends_;  // of a row's runs
   std::vector<SplitPixel> split_pixels_;
-  std::unordered_map<TriangleId, StripStrides> strips_;
+  std::unordered_map<TriangleId, CellStrides> cells_;
   std::int64_t covered_pixels_ = 0;
 };
 

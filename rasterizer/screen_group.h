@@ -62,6 +62,7 @@ struct ScreenGroup {
 /// What is known of the surface across a group, and from where it is seen; in world space.
 struct BoundedSurface {
   BoundedDirection n, v;
+  Cosine<Bounded> n_v;
   BoundedVector position;
   bool framed = false;  // axes are known
   BoundedAxes axes{};

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cmath>
 #include <span>
+#include <vector>
 
 #include "rasterizer/light_misses.h"
 #include "rasterizer/parallel.h"
@@ -22,11 +23,12 @@ constexpr double min_pixels_alone = 40, min_pixels = 250, min_pixels_kept = 300;
 // If more is left of those that are tried, the others are not.
 constexpr double max_kept = 0.7;
 constexpr std::size_t tries = 3;  // vectors of them
-// Of larger triangles, strips of tiles are bounded, which have at least so many pixels.
+// Of larger triangles, cells of tiles are bounded.
 constexpr double large_pixels = 5000;
+// Bounds of a cell take as long as lighting so many of its pixels.
+constexpr int pixels_of_bounds = 40;
 // So many of a chunk's pixels are to be in triangles that are bounded.
 constexpr double min_share = 0.3;
-constexpr int strip_rows = 16, strip_pixels = 4096;
 
 double pixels_of(const DrawnTriangle& t) {
   return double(std::abs(area_of(t))) / (2 * subpixel * subpixel);
@@ -44,8 +46,11 @@ Batch strides_of(const Frame& frame, const Draw& draw, const ScreenGroup& group)
     position[k] = transform(glm::mat3(m), group.position[k]) + broadcast(m[3]);
   }
   const BoundedVector p = group.attribute(position);
-  BoundedSurface surface{
-      .n = direction(group.attribute(normal)), .v = to_viewer(frame, group, p), .position = p};
+  BoundedSurface surface{.n = direction(group.attribute(normal)),
+                         .v = to_viewer(frame, group, p),
+                         .n_v = {},
+                         .position = p};
+  surface.n_v = cosine(surface.n, surface.v);
   surface.framed = draw.object->material.model->needs().frame && !follows_texcoord(draw);
   if (surface.framed) {
     Vec3<Batch> along[3];
@@ -98,7 +103,7 @@ Tried find_strides(const Frame& frame, const Chunk& chunk, std::size_t number) {
     const double of_triangle = pixels_of(triangles[i]);
     const bool large = of_triangle >= large_pixels;
     tried.large |= large;
-    found[i] = large ? by_strips : 1;
+    found[i] = large ? by_cells : 1;
     others += pixels[i] = large ? 0 : of_triangle;
   }
   const auto kept = [&] {
@@ -122,21 +127,48 @@ Tried find_strides(const Frame& frame, const Chunk& chunk, std::size_t number) {
   return tried;
 }
 
-/// Of the columns of some rows, one a lane.
-void find_columns(const Frame& frame, const DrawnTriangle& drawn, const Rect& rows, int width,
-                  std::uint8_t* found) {
+/// Whether pixels of the triangle may lie in a rectangle.
+bool may_meet(const DrawnTriangle& drawn, const Rect& r) {
+  const auto& v = drawn.vertices;
+  const bool turned = area_of(drawn) < 0;
+  for (int k = 0; k < 3; ++k) {
+    const auto outside = [&](int x, int y) {
+      const auto e = edge_function(v[(k + 1) % 3], v[(k + 2) % 3], x * subpixel, y * subpixel);
+      return turned ? e > 0 : e < 0;
+    };
+    if (outside(r.x_begin, r.y_begin) && outside(r.x_end, r.y_begin) &&
+        outside(r.x_begin, r.y_end) && outside(r.x_end, r.y_end))
+      return false;
+  }
+  return true;
+}
+
+/// Bounds up to a vector of rectangles of cells and keeps what is better than what was known of
+/// them; false if nothing is.
+bool raise(const Frame& frame, const DrawnTriangle& drawn, std::span<const Rect> some,
+           CellStrides& cells) {
   ScreenGroup group;
   group.put(frame, drawn);
   for (int lane = 0; lane < Batch::lanes; ++lane) {
-    const int x = rows.x_begin + lane * width;
-    group.put_rectangle(
-        drawn,
-        {x * subpixel, rows.y_begin * subpixel, (x + width + 1) * subpixel, rows.y_end * subpixel},
-        lane);
+    const Rect& r = some[std::min(std::size_t(lane), some.size() - 1)];
+    // A line may end at the first pixel of the next cell.
+    group.put_rectangle(drawn,
+                        {(cells.x_begin + r.x_begin * cells.width) * subpixel,
+                         (cells.y_begin + r.y_begin * cells.height) * subpixel,
+                         (cells.x_begin + r.x_end * cells.width + 1) * subpixel,
+                         (cells.y_begin + r.y_end * cells.height) * subpixel},
+                        lane);
   }
-  Lanes result;
-  strides_of(frame, frame.draw_of(drawn), group).store(result.of);
-  for (int lane = 0; lane < Batch::lanes; ++lane) found[lane] = std::uint8_t(result.of[lane]);
+  Lanes found;
+  strides_of(frame, frame.draw_of(drawn), group).store(found.of);
+  bool better = false;
+  for (std::size_t i = 0; i < some.size(); ++i)
+    for (int y = some[i].y_begin; y < some[i].y_end; ++y) {
+      std::uint8_t& stride = cells.stride[y][some[i].x_begin];
+      better |= found.of[i] > float(stride);
+      stride = std::max(stride, std::uint8_t(found.of[i]));
+    }
+  return better;
 }
 
 /// Bounds some of a chunk's triangles, and by them decides whether the others are worth it, which
@@ -159,7 +191,7 @@ bool try_strides(const Frame& frame, Chunk& chunk) {
     const bool large = of_triangle >= large_pixels;
     pixels += of_triangle;
     if (large || (worth && of_triangle >= min_pixels)) bounded += of_triangle;
-    if (!worth) chunk.strides[i].store(large ? by_strips : 1, std::memory_order_relaxed);
+    if (!worth) chunk.strides[i].store(large ? by_cells : 1, std::memory_order_relaxed);
   }
   // Where few are bounded, asking for them costs as much as they spare.
   if (bounded <= min_share * pixels) chunk.strides = nullptr;
@@ -177,26 +209,45 @@ bool may_stride(const Frame& frame, const Draw& draw) {
          !draw.illumination.constant && draw.object->material.ambient_share == 0;
 }
 
-StripStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& tile, int y) {
+CellStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& tile) {
   const auto& v = drawn.vertices;
   const auto [left, right] = std::minmax({v[0].x, v[1].x, v[2].x});
-  const int bottom = std::max({v[0].y, v[1].y, v[2].y});
-  Rect box = intersection(tile, {left / subpixel, y, right / subpixel + 1, bottom / subpixel + 1});
-  const int size = box.x_end - box.x_begin;
-  // Of whole strides: what is known of each of two columns says nothing of a line from one to the
-  // other. It may end at the first pixel of the next.
-  const int strides_in_column = (size - 1) / (Batch::lanes * max_stride) + 1;
-  StripStrides strip{.y_end = tile.y_end,
-                     .x_begin = box.x_begin,
-                     .width = strides_in_column * max_stride,
-                     .stride = {}};
-  std::ranges::fill(strip.stride, std::uint8_t(1));
-  if (drawn.piece != DrawnTriangle::not_cut) return strip;
-  box.y_end = std::min(box.y_end, y + std::max(strip_rows, strip_pixels / size));
-  find_columns(frame, drawn, box, strip.width, strip.stride);
-  // After a strip in vain the tile's others are not tried.
-  if (std::ranges::any_of(strip.stride, [](int s) { return s > 1; })) strip.y_end = box.y_end;
-  return strip;
+  const auto [top, bottom] = std::minmax({v[0].y, v[1].y, v[2].y});
+  const Rect box = intersection(
+      tile, {left / subpixel, top / subpixel, right / subpixel + 1, bottom / subpixel + 1});
+  const int size = box.x_end - box.x_begin, high = CellStrides::cells_high;
+  // Of whole strides: what is known of each of two cells says nothing of a line from one to the
+  // other.
+  const int strides_in_cell = (size - 1) / (Batch::lanes * max_stride) + 1;
+  CellStrides cells{.x_begin = box.x_begin,
+                    .y_begin = box.y_begin,
+                    .width = strides_in_cell * max_stride,
+                    .height = (box.y_end - box.y_begin - 1) / high + 1};
+  for (auto& row : cells.stride) std::ranges::fill(row, std::uint8_t(1));
+  if (drawn.piece != DrawnTriangle::not_cut) return cells;
+
+  // First as many columns of cells as are a vector, then those cells whose pixels are worth it.
+  const int columns = (size - 1) / cells.width + 1;
+  const int tall = 4 * columns <= Batch::lanes ? 1 : 2 * columns <= Batch::lanes ? 2 : high;
+  std::vector<Rect> wanted;
+  for (int y = 0; y < high; y += tall)
+    for (int x = 0; x < columns; ++x) wanted.push_back({x, y, x + 1, y + tall});
+  raise(frame, drawn, wanted, cells);
+  if (tall == 1) return cells;
+  wanted.clear();
+  for (int y = 0; y < high; ++y)
+    for (int x = 0; x < columns; ++x) {
+      const Rect pixels{cells.x_begin + x * cells.width, cells.y_begin + y * cells.height,
+                        cells.x_begin + (x + 1) * cells.width,
+                        cells.y_begin + (y + 1) * cells.height};
+      if (area(pixels) / (2 * cells.stride[y][x]) > pixels_of_bounds && may_meet(drawn, pixels))
+        wanted.push_back({x, y, x + 1, y + 1});
+    }
+  for (std::size_t i = 0; i < wanted.size(); i += std::size_t(Batch::lanes)) {
+    const std::size_t count = std::min(wanted.size() - i, std::size_t(Batch::lanes));
+    if (!raise(frame, drawn, {&wanted[i], count}, cells)) break;
+  }
+  return cells;
 }
 
 void try_all_strides(Frame& frame) {

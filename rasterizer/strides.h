@@ -50,21 +50,22 @@ bool may_be_near(const Frame& frame);
 /// Whether an object's fragments may be shaded so at all: per fragment, in colours alone.
 bool may_stride(const Frame& frame, const Draw& draw);
 
-/// 1 (every pixel), 2, 4, 8 or 16 in some rows of a large triangle, column by column.
-struct StripStrides {
-  int y_end = 0;                        // rows from there on are not known yet
-  int x_begin = 0, width = 1;           // the first column; pixels in a column
-  std::uint8_t stride[max_lanes] = {};  // of each column
+/// 1 (every pixel), 2, 4, 8 or 16 in each cell of what a tile holds of a large triangle.
+struct CellStrides {
+  static constexpr int cells_high = 4;
+  int x_begin = 0, y_begin = 0, width = 1, height = 1;  // of the first cell; of each, in pixels
+  std::uint8_t stride[cells_high][max_lanes] = {};
+
+  const std::uint8_t* in_row(int y) const { return stride[(y - y_begin) / height]; }
 };
-/// From row y of a tile on.
-StripStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& tile, int y);
+CellStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rect& tile);
 
 /// Decides, in all threads of the arena, which draws may be shaded so: those of which half is worth
 /// it, by the bounds of some triangles of each chunk.
 void try_all_strides(Frame& frame);
-/// In all of the triangle: 1, 2, 4, 8 or 16, or `by_strips`, if it is large. Found when a triangle
+/// In all of the triangle: 1, 2, 4, 8 or 16, or `by_cells`, if it is large. Found when a triangle
 /// of the chunk is first asked for, for a whole vector of them, and kept for the frame.
 int stride_of(const Frame& frame, const DrawnTriangle& drawn);
-constexpr int by_strips = 255;
+constexpr int by_cells = 255;
 
 }  // namespace scanlit

@@ -196,15 +196,16 @@ TEST(Tolerance, HoldsInTheOneChannelThatIsLit) {
   }
 }
 
-// A line from a column of a strip to the next would be bounded by neither: not where one is
-// straight and the other dark but for its first pixels.
-TEST(Tolerance, HoldsWhereALightSetsInALargeTriangle) {
+/// Of a wall whose normals lean along one axis, so that a light sets across it.
+double evaluated_where_a_light_sets(int axis) {
   double evaluated = 0;
   for (int i = 0; i < 150; ++i) {
     const auto mesh = std::make_shared<Mesh>(make_shape("plane"));
+    glm::vec3 aside{0, 0, 0};
+    aside[axis] = 1;
     for (std::size_t k = 0; k < mesh->normals.size(); ++k) {
-      const float x = mesh->positions[k].x, offset = 2e-4f * float(i - 75);
-      mesh->normals[k] = glm::normalize(glm::vec3(0.02f * x + offset, 0, 1));
+      const float lean = 0.02f * mesh->positions[k][axis] + 2e-4f * float(i - 75);
+      mesh->normals[k] = glm::normalize(glm::vec3(0, 0, 1) + lean * aside);
     }
     Object object;
     object.mesh = mesh;
@@ -215,12 +216,19 @@ TEST(Tolerance, HoldsWhereALightSetsInALargeTriangle) {
     written.scene.lights = {{.intensity = i % 3 == 0   ? .3
                                           : i % 3 == 1 ? .6
                                                        : 1.2,
-                             .direction = {1, 0, 0}}};
+                             .direction = aside}};
     const Outcome outcome = compare(written, 1, 1);
-    EXPECT_LE(outcome.worst, 1) << i;
+    EXPECT_LE(outcome.worst, 1) << axis << ' ' << i;
     evaluated += outcome.evaluated / 150;
   }
-  EXPECT_LT(evaluated, .5);
+  return evaluated;
+}
+
+// A line from a cell to the next would be bounded by neither: not where one is straight and the
+// other dark but for its first pixels. Nor is a cell like the one above it.
+TEST(Tolerance, HoldsWhereALightSetsInALargeTriangle) {
+  EXPECT_LT(evaluated_where_a_light_sets(0), .5);
+  EXPECT_LT(evaluated_where_a_light_sets(1), .5);
 }
 
 TEST(Tolerance, SparesEvaluationsAndIsTheSameForAnyThreads) {
