@@ -88,9 +88,10 @@ class Resolver {
 
   /// Gathers a row's fragments: all at once where they are of one draw, else draw by draw.
   void resolve_row(int y, const Rect& pixels, const TriangleId* row) {
+    FragmentSpan* only = nullptr;
     if (visibility_.only_draw != no_id) {
-      FragmentSpan& span = collector_.span_of(frame_.draws[visibility_.only_draw]);
-      if (!span.may_stride) return append_pixels(pixels.x_begin, pixels.x_end, y, row, span);
+      only = &collector_.span_of(frame_.draws[visibility_.only_draw]);
+      if (!only->may_stride) return append_pixels(pixels.x_begin, pixels.x_end, y, row, *only);
     }
     const std::span<const std::int32_t> ends = run_ends(pixels, row);
     // Memory answers while the first runs are gathered.
@@ -104,7 +105,7 @@ class Resolver {
     };
     for (const int end : ends) {
       if (row[run] != no_triangle) {
-        FragmentSpan& own = span_of(*visibility_.triangles[row[run]]);
+        FragmentSpan& own = only ? *only : span_of(*visibility_.triangles[row[run]]);
         const bool strided = own.may_stride && may_stride(own, row[run], end - run);
         if (strided || &own != span) append_open(run), begin = run, span = &own;
         if (strided) append_stretches(run, y, end, row, own), span = nullptr;
@@ -141,9 +142,17 @@ class Resolver {
   }
 
   /// Whether to shade a run every few pixels: its own cost is that of lighting some ten of them.
-  bool may_stride(const FragmentSpan& span, TriangleId id, int size) const {
+  bool may_stride(const FragmentSpan& span, TriangleId id, int size) {
     const int lights = int(span.draw->illumination.lights.size());
-    return size > 3 && size * lights > 10 && stride_of(frame_, *visibility_.triangles[id]) > 1;
+    return size > 3 && size * lights > 10 && stride_of_triangle(id) > 1;
+  }
+
+  /// As stride_of() has it, which is asked once for all rows.
+  int stride_of_triangle(TriangleId id) {
+    if (strides_.empty()) strides_.resize(visibility_.triangles.size());
+    std::uint8_t& stride = strides_[id];
+    if (stride == 0) stride = std::uint8_t(stride_of(frame_, *visibility_.triangles[id]));
+    return stride;
   }
 
   /// Where strides are taken.
@@ -170,7 +179,7 @@ class Resolver {
     const auto stretch_to = [&](int until, int stride) {
       return Stretch{until - x > 3 ? stride : 1, until};
     };
-    const int of_triangle = stride_of(frame_, drawn);
+    const int of_triangle = stride_of_triangle(id);
     if (of_triangle != by_cells) return stretch_to(end, of_triangle);
     const auto [of_id, is_new] = cells_.try_emplace(id);
     CellStrides& cells = of_id->second;
@@ -283,6 +292,7 @@ class Resolver {
   std::vector<TriangleId> row_;
   std::vector<std::int32_t> ends_;  // of a row's runs
   std::vector<SplitPixel> split_pixels_;
+  std::vector<std::uint8_t> strides_;  // of the tile's triangles; 0: not known yet
   std::unordered_map<TriangleId, CellStrides> cells_;
   std::int64_t covered_pixels_ = 0;
 };
