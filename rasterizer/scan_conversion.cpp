@@ -37,19 +37,27 @@ class RowWriter {
         drawn_(drawn),
         id_(hn::Set(ints, std::int32_t(drawn.id))) {}
 
-  /// Lanes `covered` of the `lanes` pixels at depth and id; `steps` is each lane's distance in
-  /// pixels from the one whose depth is `anchor`.
-  void write(Batch::Mask covered, Batch steps, float anchor, float* depth, TriangleId* id) const {
-    const Batch z = min(max(Batch(anchor) + steps * per_pixel_, min_), max_);
-    const Batch stored = Batch::load(depth);
-    Batch::Mask nearer = covered & (z > stored);
-    const Batch::Mask equal = covered & Batch::Mask{hn::Eq(z.raw, stored.raw)};
-    if (!none(equal)) nearer = nearer | first_of_equals(equal & (z > Batch(0)), id);
-    if (none(nearer)) return;
-    select(nearer, z, stored).store(depth);
-    auto* id_bits = reinterpret_cast<std::int32_t*>(id);
-    const auto mask = hn::RebindMask(ints, nearer.raw);
-    hn::StoreU(hn::IfThenElse(mask, id_, hn::LoadU(ints, id_bits)), ints, id_bits);
+  /// Pixels [first, end) of a row, counted from the one whose depth is `anchor`, at depth and id.
+  void write(int first, int end, float anchor, float* depth, TriangleId* id) const {
+    // The compiler cannot know that what is written is not what it reads.
+    const Batch start(anchor), per_pixel = per_pixel_, least = min_, most = max_, past(end);
+    const auto own_id = id_;
+    Batch steps = Batch::iota(float(first));
+    for (int i = first; i < end; i += lanes, depth += lanes, id += lanes) {
+      const Batch z = min(max(start + steps * per_pixel, least), most);
+      const Batch stored = Batch::load(depth);
+      const Batch::Mask covered = steps < past;
+      steps += Batch(lanes);
+      const Batch::Mask not_behind = covered & (z >= stored);
+      if (none(not_behind)) continue;
+      Batch::Mask nearer = covered & (z > stored);
+      if (bits_of(nearer) != bits_of(not_behind))
+        nearer = nearer | first_of_equals(not_behind & (z <= stored) & (z > Batch(0)), id);
+      select(nearer, z, stored).store(depth);
+      auto* id_bits = reinterpret_cast<std::int32_t*>(id);
+      const auto mask = hn::RebindMask(ints, nearer.raw);
+      hn::StoreU(hn::IfThenElse(mask, own_id, hn::LoadU(ints, id_bits)), ints, id_bits);
+    }
   }
 
  private:
@@ -103,12 +111,9 @@ void draw(const ScreenTriangle& triangle, const Drawn& drawn, const Target& targ
       // Anchored at the span's own first pixel, also where that is left of the tile: depth does not
       // depend on how the picture is cut into tiles.
       const float anchor = rows.depth[y - first_row];
-      for (int x = first; x < last; x += lanes) {
-        const Batch steps = Batch::iota(float(x - begin));
-        const auto at = target.offset(x, y);
-        writer.write(steps < Batch(float(last - begin)), steps, anchor, target.depth + at,
-                     target.triangle + at);
-      }
+      if (first >= last) continue;
+      const auto at = target.offset(first, y);
+      writer.write(first - begin, last - begin, anchor, target.depth + at, target.triangle + at);
     }
   }
 }
