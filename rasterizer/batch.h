@@ -41,9 +41,9 @@ class Batch {
     friend bool none(Mask m) { return hn::AllFalse(tag, m.raw); }
     /// One bit a lane, the first lane's lowest.
     friend unsigned bits_of(Mask m) {
-      std::uint8_t bytes[8] = {};
-      hn::StoreMaskBits(tag, m.raw, bytes);
-      return unsigned(bytes[0]) | unsigned(bytes[1]) << 8;
+      std::uint64_t bits = 0;
+      hn::StoreMaskBits(tag, m.raw, reinterpret_cast<std::uint8_t*>(&bits));
+      return unsigned(bits);
     }
   };
 

@@ -3,6 +3,7 @@
 #include <hwy/cache_control.h>
 
 #include <algorithm>
+#include <array>
 
 #include "rasterizer/compress.h"
 
@@ -14,12 +15,27 @@ using Unsigned = hn::RebindToUnsigned<Batch::Tag>;
 constexpr Unsigned unsigneds;
 constexpr hn::RebindToSigned<Batch::Tag> ints;
 
+/// Of the lanes of each byte of a mask: how many before them are in it.
+constexpr auto counts_before = [] {
+  std::array<std::array<std::uint8_t, 8>, 256> counts{};
+  for (std::size_t bits = 0; bits < 256; ++bits)
+    for (std::size_t lane = 1; lane < 8; ++lane)
+      counts[bits][lane] = std::uint8_t(counts[bits][lane - 1] + (bits >> (lane - 1) & 1));
+  return counts;
+}();
+
 /// Of each lane: how many lanes before it are in the mask.
 hn::Vec<Unsigned> count_before(hn::Mask<Unsigned> mask) {
-  const auto one = hn::Set(unsigneds, 1u);
-  const auto before = hn::Sub(hn::Shl(one, hn::Iota(unsigneds, 0)), one);
   const unsigned bits = bits_of(Batch::Mask{hn::RebindMask(Batch::tag, mask)});
-  return hn::PopulationCount(hn::And(hn::Set(unsigneds, bits), before));
+  if constexpr (Batch::lanes <= 8) {
+    // Elsewhere than with AVX-512 there is no instruction that counts bits in lanes.
+    const hn::Rebind<std::uint8_t, Unsigned> bytes;
+    return hn::PromoteTo(unsigneds, hn::LoadU(bytes, counts_before[bits].data()));
+  } else {
+    const auto one = hn::Set(unsigneds, 1u);
+    const auto before = hn::Sub(hn::Shl(one, hn::Iota(unsigneds, 0)), one);
+    return hn::PopulationCount(hn::And(hn::Set(unsigneds, bits), before));
+  }
 }
 
 }  // namespace
