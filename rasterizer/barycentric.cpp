@@ -157,6 +157,7 @@ void put_exactly(const Frame& frame, int r, double x, double y, FragmentSpan& sp
 
 void put_barycentric(const Frame& frame, FragmentSpan& span) {
   const EdgeFunctions edges(frame, span);
+  if (!span.draw->illumination.needs_weights) return;
   for (int i = 0; i < span.size; i += Batch::lanes) {
     const OfRuns of(span.run + i);
     const Batch column = columns(span, i);

@@ -14,7 +14,8 @@
 
 namespace scanlit {
 
-/// Fills b1 and b2 of all fragments, and facing of all runs, from pixels and corners.
+/// Fills b1 and b2 of all fragments, where they are needed, and facing of all runs, from pixels and
+/// corners.
 void put_barycentric(const Frame& frame, FragmentSpan& span);
 
 /// Those of a vector of fragments, of corners 1 and 2 of the mesh's triangle.

@@ -39,6 +39,7 @@ struct Illumination {
   bool near_lights = false;    // some light is not far
   bool constant = false;       // nothing but `ambient`
   bool needs_position = true;  // object space or world space
+  bool needs_weights = true;   // where in its triangle a fragment lies
 };
 
 }  // namespace scanlit

@@ -150,6 +150,9 @@ Illumination illuminate(const Frame& frame, const Draw& draw) {
   all.constant = all.lights.empty() && material.ambient_share == 0;
   all.needs_position = all.near_lights || needs_points(needs) || needs.frame ||
                        (!frame.viewer.far && frame.settings.samples > 1);
+  const Shading shading = draw.object->shading;
+  all.needs_weights = !frame.colour_alone || shading == Shading::gouraud || all.needs_position ||
+                      (shading == Shading::phong && !draw.clusters->flat);
   return all;
 }
 

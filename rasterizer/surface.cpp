@@ -72,6 +72,21 @@ void interpolate(const std::vector<V>& values, const FragmentSpan& span,
   attribute.interpolate(span, out, sign);
 }
 
+/// Of a mesh whose triangles have one normal each, on the viewer's side.
+void spread_normals(const FragmentSpan& span, float (&out)[3][SurfaceSpan::padded]) {
+  const Mesh& mesh = *span.draw->mesh;
+  FragmentSpan::PerRun normals[3];
+  for (int r = 0; r < span.run_count; ++r) {
+    const glm::vec3 normal =
+        mesh.normals[mesh.indices[3 * std::size_t(span.runs[r].drawn->triangle)]];
+    for (int c = 0; c < 3; ++c) normals[c][r] = span.facing[r] * normal[c];
+  }
+  for (int i = 0; i < span.size; i += Batch::lanes) {
+    const OfRuns of(span.run + i);
+    for (int c = 0; c < 3; ++c) of(normals[c]).store(out[c] + i);
+  }
+}
+
 /// By how much the texture coordinates grow with one pixel.
 void interpolate_growth(const FragmentSpan& span, const Run& run, const std::size_t (&vertex)[3],
                         SurfaceSpan& surface) {
@@ -130,7 +145,10 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   const Needs needs = span.draw->object->material.model->needs();
   const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
   const bool positions = span.draw->illumination.needs_position;
-  interpolate<false>(mesh.normals, span, surface.normal, span.facing);
+  if (span.draw->illumination.needs_weights)
+    interpolate<false>(mesh.normals, span, surface.normal, span.facing);
+  else
+    spread_normals(span, surface.normal);
   if (positions) interpolate<true>(mesh.positions, span, surface.position);
   if (tangents) interpolate<true>(mesh.tangents, span, surface.tangent);
   if (points && !mesh.texcoords.empty()) interpolate<true>(mesh.texcoords, span, surface.texcoord);

@@ -141,6 +141,13 @@ void cut(const Mesh& mesh, std::uint32_t begin, std::uint32_t end, LocalNumbers&
   }
 }
 
+bool flat(const Mesh& mesh) {
+  const auto normal = [&](std::size_t corner) { return mesh.normals[mesh.indices[corner]]; };
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3)
+    if (normal(i) != normal(i + 1) || normal(i) != normal(i + 2)) return false;
+  return true;
+}
+
 Sphere bounds_of(const std::vector<Cluster>& clusters) {
   if (clusters.empty()) return {};
   glm::dvec3 low(clusters[0].centre), high(low);
@@ -202,6 +209,7 @@ MeshClusters make_clusters(const Mesh& mesh) {
           mesh.positions[result.vertices[cluster.first_vertex + k]];
   });
   result.bounds = bounds_of(result.clusters);
+  result.flat = flat(mesh);
   return result;
 }
 

@@ -47,7 +47,8 @@ struct MeshClusters {
   // its cluster. Followed by `padding` zeros, so that vectors may be loaded beyond the end.
   std::vector<std::uint8_t> corners[3];
   static constexpr int padding = 64;
-  Sphere bounds;  // of every vertex that a triangle names; object space
+  Sphere bounds;      // of every vertex that a triangle names; object space
+  bool flat = false;  // each triangle's three normals are the same
 };
 
 /// Deterministic, whatever the number of threads; runs on the oneTBB threads of the caller's arena.

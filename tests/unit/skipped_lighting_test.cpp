@@ -68,6 +68,34 @@ TEST(SkippedLighting, LeavesAnAmbientSceneTheSameToTheBit) {
     }
 }
 
+TEST(SkippedLighting, LeavesFlatFacesTheSameToTheBit) {
+  // Where all three normals of a triangle are the same, nobody asks where in it a fragment lies.
+  for (const bool viewer_at_infinity : {false, true}) {
+    Scene scene = lit_scene("blinn-phong");
+    scene.lights.resize(2);  // far ones
+    const auto add = [&](const char* shape, Shading shading, const glm::mat3& turned, float x) {
+      Object& object = scene.objects.emplace_back(scene.objects[0]);
+      object.mesh = std::make_shared<Mesh>(make_shape(shape));
+      object.shading = shading;
+      object.sides = Sides::both;
+      object.world_from_object = glm::mat4(turned);
+      object.world_from_object[3] = {x, 1.4f, 0, 1};
+    };
+    const glm::mat3 tilted(0.6f, 0, 0.8f, 0.64f, 0.6f, -0.48f, -0.48f, 0.8f, 0.36f);
+    add("cube", Shading::phong, 0.5f * tilted, -1.5f);
+    add("plane", Shading::phong, -0.5f * tilted, 0);  // mirrored, from behind
+    add("cube", Shading::gouraud, 0.5f * tilted, 1.5f);
+    const auto draw = [&](bool skip) {
+      RenderSettings settings;
+      settings.skips.unused_attributes = skip;
+      Framebuffer colours(160, 90);
+      render(scene, camera_of(viewer_at_infinity), settings, colours);
+      return colours;
+    };
+    EXPECT_EQ(planes_that_differ(draw(true), draw(false)), "");
+  }
+}
+
 TEST(SkippedLighting, IsCounted) {
   Scene scene = lit_scene("blinn-phong");
   scene.objects.resize(1);
