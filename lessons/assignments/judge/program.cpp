@@ -5,10 +5,11 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cmath>
-#include <cstring>
 #include <fstream>
+#include <span>
 
 #include "lessons/assignments/answer/protocol.h"
 #include "rasterizer/error.h"
@@ -121,12 +122,14 @@ void ProgramRespondent::send(int kind, const Numbers& numbers) {
   const MessageHead head{answer::message_magic, kind, sequence_,
                          std::uint32_t(numbers.integers.size()),
                          std::uint32_t(numbers.reals.size())};
-  std::vector<std::byte> bytes(sizeof head + 8 * (numbers.integers.size() + numbers.reals.size()));
-  std::byte* const integers = bytes.data() + sizeof head;
-  std::memcpy(bytes.data(), &head, sizeof head);
-  std::memcpy(integers, numbers.integers.data(), 8 * numbers.integers.size());
-  std::memcpy(integers + 8 * numbers.integers.size(), numbers.reals.data(),
-              8 * numbers.reals.size());
+  std::vector<std::byte> bytes;
+  const auto append = [&](const auto& values) {
+    const auto more = std::as_bytes(std::span(values));
+    bytes.insert(bytes.end(), more.begin(), more.end());
+  };
+  append(std::array{head});
+  append(numbers.integers);
+  append(numbers.reals);
   conversation_->send(bytes);
 }
 
