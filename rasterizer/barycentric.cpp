@@ -128,14 +128,6 @@ void ExactWeights::Row::store_derivatives(const Batch& pixels, int first,
 
 namespace {
 
-/// The columns of a vector of fragments, from fragment i on.
-Batch columns(const FragmentSpan& span, int i) {
-  const hn::RebindToSigned<Batch::Tag> ints;
-  const auto packed =
-      hn::BitCast(ints, hn::LoadU(hn::RebindToUnsigned<Batch::Tag>(), span.pixel + i));
-  return hn::ConvertTo(Batch::tag, hn::And(packed, hn::Set(ints, 0xffff)));
-}
-
 /// Run r begins at (x, y), in 1/256 pixel.
 void put_exactly(const Frame& frame, int r, double x, double y, FragmentSpan& span) {
   const Run& run = span.runs[r];
@@ -153,11 +145,9 @@ void put_exactly(const Frame& frame, int r, double x, double y, FragmentSpan& sp
   }
 }
 
-}  // namespace
-
-void put_barycentric(const Frame& frame, FragmentSpan& span) {
+/// All in float.
+void put_all(const Frame& frame, FragmentSpan& span) {
   const EdgeFunctions edges(frame, span);
-  if (!span.draw->illumination.needs_weights) return;
   for (int i = 0; i < span.size; i += Batch::lanes) {
     const OfRuns of(span.run + i);
     const Batch column = columns(span, i);
@@ -167,6 +157,19 @@ void put_barycentric(const Frame& frame, FragmentSpan& span) {
     (w1 * inverse_sum).store(span.b1 + i);
     (w2 * inverse_sum).store(span.b2 + i);
   }
+}
+
+}  // namespace
+
+bool needs_barycentric(const Frame& frame, const Draw& draw) {
+  const bool by_normal_alone =
+      draw.object->shading != Shading::phong || !draw.illumination.needs_position;
+  return !(frame.colour_alone && by_normal_alone);
+}
+
+void put_barycentric(const Frame& frame, FragmentSpan& span) {
+  if (!span.draw->illumination.needs_weights) return;
+  if (needs_barycentric(frame, *span.draw)) put_all(frame, span);
   const auto put = [&](int r) {
     const std::uint32_t pixel = span.first_pixel[r];
     put_exactly(frame, r, double(pixel & 0xffff) * subpixel + half_pixel,
@@ -175,11 +178,12 @@ void put_barycentric(const Frame& frame, FragmentSpan& span) {
   if (span.with_derivatives) {
     for (int r = 0; r < span.run_count; ++r) put(r);
   } else {
-    for (const int r : span.cut) put(r);
-    for (const int r : edges.imprecise())
-      if (span.runs[r].drawn->piece == DrawnTriangle::not_cut) put(r);
+    for (const int r : span.exact) put(r);
   }
-  for (const auto& [r, x, y] : span.centroids) put_exactly(frame, r, x, y, span);
+  for (const auto& [r, x, y] : span.centroids) {
+    put_exactly(frame, r, x, y, span);
+    span.exact.push_back(r);
+  }
 }
 
 }  // namespace scanlit

@@ -3,10 +3,9 @@
 // Two ways, chosen by the triangle alone, so that a fragment's coordinates do not depend on where
 // its run begins:
 //   edge functions  (edge_functions.h) in float, for vectors of runs, then of fragments: most
-//                   triangles
-//   ExactWeights    all in double, run by run: cut triangles, strong perspective, large slivers,
-//   centroids of
-//                   samples, and where derivatives are wanted
+//                   triangles, where more is interpolated than what has planes (planes.h)
+//   ExactWeights    all in double, run by run: cut triangles, strong perspective, slivers,
+//                   centroids of samples, and where derivatives are wanted
 #pragma once
 
 #include "rasterizer/batch.h"
@@ -14,8 +13,11 @@
 
 namespace scanlit {
 
-/// Fills b1 and b2 of all fragments, where they are needed, and facing of all runs, from pixels and
-/// corners.
+/// Whether fragments are shaded by more than what they have planes of (planes.h).
+bool needs_barycentric(const Frame& frame, const Draw& draw);
+
+/// Fills b1 and b2 of all fragments where they are needed; else, where anything varies over a
+/// triangle, of those of exact runs, to which it adds the centroids'.
 void put_barycentric(const Frame& frame, FragmentSpan& span);
 
 /// Those of a vector of fragments, of corners 1 and 2 of the mesh's triangle.

@@ -1,7 +1,5 @@
 #include "rasterizer/edge_functions.h"
 
-#include <bit>
-
 namespace scanlit {
 
 namespace {
@@ -21,11 +19,11 @@ struct EdgeFunctions::Corners {
   IntVector x[3], y[3];
   Batch inv_w[3];
 
-  Corners(const FragmentSpan& span, int r, bool perspective) {
+  Corners(const ScreenVertex (&vertices)[3][FragmentSpan::padded], int r, bool perspective) {
 #pragma GCC unroll 3
     for (int k = 0; k < 3; ++k) {
       Batch::Vector vx, vy, depth, w;
-      hn::LoadInterleaved4(Batch::tag, reinterpret_cast<const float*>(&span.corners[k][r]), vx, vy,
+      hn::LoadInterleaved4(Batch::tag, reinterpret_cast<const float*>(&vertices[k][r]), vx, vy,
                            depth, w);
       x[k] = hn::BitCast(ints, vx), y[k] = hn::BitCast(ints, vy);
       inv_w[k] = perspective ? Batch(w) : Batch(1);
@@ -42,33 +40,20 @@ struct EdgeFunctions::Corners {
     return {hn::RebindMask(
         Batch::tag, hn::Lt(hn::Max(extent(x), extent(y)), hn::Set(ints, 16 * subpixel + 1)))};
   }
-  /// Where distances differ by more than a factor of 2, or a coordinate by more than 4 over the
-  /// width of the triangle's box, rounding errors grow as much.
-  Batch::Mask imprecise(const Doubles& twice_area) const {
-    const auto& [a, b, c] = inv_w;
-    const auto in_float = [](IntVector v) { return Batch(hn::ConvertTo(Batch::tag, v)); };
-    const Batch growth = in_float(extent(x)) * in_float(extent(y));
-    return (max(a, max(b, c)) > Batch(2) * min(a, min(b, c))) |
-           (growth > Batch(4) * abs(twice_area.rounded()));
-  }
 };
 
-EdgeFunctions::EdgeFunctions(const Frame& frame, FragmentSpan& span) {
+EdgeFunctions::EdgeFunctions(const Frame& frame, const FragmentSpan& span) {
   const bool perspective = frame.settings.interpolation == Interpolation::perspective;
-  const float front = span.draw->mirrored ? -1 : 1;
-  for (int r = 0; r < span.run_count; r += Batch::lanes) {
-    const Corners corners(span, r, perspective);
-    const Doubles twice_area = put_functions(corners, r, span);
-    select(twice_area.rounded() < Batch(0), -front, front).store(span.facing + r);
-    unsigned imprecise = bits_of(corners.imprecise(twice_area)) & ~bits_of(corners.small());
-    for (; imprecise != 0; imprecise &= imprecise - 1)
-      if (const int lane = std::countr_zero(imprecise); r + lane < span.run_count)
-        imprecise_[imprecise_count_++] = std::uint16_t(r + lane);
+  for (int r = 0; r < span.run_count; ++r) {
+    const DrawnTriangle& drawn = *span.runs[r].drawn;
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) vertices_[k][r] = drawn.vertices[k];
   }
+  for (int r = 0; r < span.run_count; r += Batch::lanes)
+    put_functions(Corners(vertices_, r, perspective), r, span);
 }
 
-/// Returns the sums of the three functions.
-Doubles EdgeFunctions::put_functions(const Corners& corners, int r, const FragmentSpan& span) {
+void EdgeFunctions::put_functions(const Corners& corners, int r, const FragmentSpan& span) {
   const auto packed = hn::LoadU(hn::RebindToUnsigned<Batch::Tag>(), span.first_pixel + r);
   const IntVector begin = hn::And(hn::BitCast(ints, packed), hn::Set(ints, 0xffff));
   const IntVector row = hn::BitCast(ints, hn::ShiftRight<16>(packed));
@@ -87,18 +72,15 @@ Doubles EdgeFunctions::put_functions(const Corners& corners, int r, const Fragme
                         distance(corners.x, column, 2)};
   const Doubles y[3] = {distance(corners.y, row, 0), distance(corners.y, row, 1),
                         distance(corners.y, row, 2)};
-  Doubles sum = 0;
 #pragma GCC unroll 3
   for (int k = 0; k < 3; ++k) {
     const int from = (k + 1) % 3, to = (k + 2) % 3;
     const Doubles edge = x[to] * y[from] - y[to] * x[from];
-    sum = sum + edge;
     edge.rounded().store(first_[k] + r);
     const Batch per_unit = hn::ConvertTo(Batch::tag, hn::Sub(corners.y[to], corners.y[from]));
     (per_unit * Batch(subpixel)).store(per_pixel_[k] + r);
     corners.inv_w[k].store(inv_w_[k] + r);
   }
-  return sum;
 }
 
 }  // namespace scanlit

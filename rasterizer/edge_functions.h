@@ -11,8 +11,7 @@ namespace scanlit {
 /// fragments to pick from. A fragment's depend on its triangle and its pixel alone, to the bit.
 class EdgeFunctions {
  public:
-  /// Also says which runs' triangles are seen from behind.
-  EdgeFunctions(const Frame& frame, FragmentSpan& span);
+  EdgeFunctions(const Frame& frame, const FragmentSpan& span);
 
   /// At a vector of fragments in these columns, over w.
   Batch at(const OfRuns& of, int corner, const Batch& column) const {
@@ -20,19 +19,13 @@ class EdgeFunctions {
     return mul_add(pixels, of(per_pixel_[corner]), of(first_[corner])) * of(inv_w_[corner]);
   }
 
-  /// The runs, of triangles larger than 16 pixels, where float is not precise.
-  std::span<const std::uint16_t> imprecise() const {
-    return {imprecise_, std::size_t(imprecise_count_)};
-  }
-
  private:
   struct Corners;
-  Doubles put_functions(const Corners& corners, int r, const FragmentSpan& span);
+  void put_functions(const Corners& corners, int r, const FragmentSpan& span);
 
-  FragmentSpan::PerRun column_;  // of that pixel
+  ScreenVertex vertices_[3][FragmentSpan::padded];  // of each run's triangle
+  FragmentSpan::PerRun column_;                     // of that pixel
   FragmentSpan::PerRun first_[3], per_pixel_[3], inv_w_[3];
-  std::uint16_t imprecise_[FragmentSpan::capacity];
-  int imprecise_count_ = 0;
 };
 
 }  // namespace scanlit

@@ -47,12 +47,18 @@ struct FragmentSpan {
   std::int32_t run[padded];      // of each fragment: the number of its run
   std::uint32_t pixel[padded];   // packed_pixel(); row by row, from left to right
   float weight[padded];          // share of the pixel's samples, 0..1
-  float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle
+  float b1[padded], b2[padded];  // barycentric coordinates in the mesh's triangle, where needed
 
-  // To make them of, of each run: its triangle's corners, and its first pixel.
-  ScreenVertex corners[3][padded];
-  std::uint32_t first_pixel[padded];
-  std::vector<int> cut;  // runs of triangles that were cut
+  std::uint32_t first_pixel[padded];  // of each run
+
+  /// Of each run what it is shaded by, over w (planes.h): in the run's row at a column of its
+  /// triangle's, and by how much it grows from there to the next.
+  struct Planes {
+    PerRun column, start[4], per_column[4];
+  } planes;
+  // Runs whose triangles were cut or whose planes are not precise, and those of centroids: for them
+  // there are always b1 and b2, and these count.
+  std::vector<int> exact;
 
   // Runs of one fragment each that is not at its pixel's centre, and where it is, in 1/256 pixel.
   struct Centroid {
@@ -69,7 +75,7 @@ struct FragmentSpan {
 
   void clear() {
     size = run_count = pixels = 0;
-    cut.clear(), centroids.clear(), strided.clear();
+    exact.clear(), centroids.clear(), strided.clear();
   }
 
   // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.

@@ -30,4 +30,12 @@ class OfRuns {
   hn::Vec<hn::RebindToSigned<Batch::Tag>> lane_;
 };
 
+/// The columns of a vector of fragments, from fragment i on.
+inline Batch columns(const FragmentSpan& span, int i) {
+  const hn::RebindToSigned<Batch::Tag> ints;
+  const auto packed =
+      hn::BitCast(ints, hn::LoadU(hn::RebindToUnsigned<Batch::Tag>(), span.pixel + i));
+  return hn::ConvertTo(Batch::tag, hn::And(packed, hn::Set(ints, 0xffff)));
+}
+
 }  // namespace scanlit

@@ -19,7 +19,7 @@
 //                                           of them: tiny_triangles.h)
 //   (8) resolve          resolve.h          visible fragments, gathered into spans     screen
 //                                           (fragment_span.h, filled in span_filling.h)
-//                                           (where in their triangles: barycentric.h; which
+//                                           (what varies in them: planes.h, barycentric.h; which
 //                                           may be interpolated, on request: strides.h)
 //   (9) shading          shading.cpp        flat, Gouraud, Phong: where they differ    world
 //       surface          surface.h          attributes at faces, vertices, fragments   object

@@ -42,13 +42,21 @@ std::vector<PointRecord> site_points(const Frame& frame, const Run& run, Surface
 
 /// Fragment i of a span, alone in one of its own.
 void take_fragment(const FragmentSpan& from, const Run& run, int i, FragmentSpan& to) {
+  const auto r = &run - from.runs;
   to.draw = from.draw;
   to.size = to.run_count = to.pixels = 1;
   to.runs[0] = {run.drawn, 0, 1, 1, 1};
-  to.facing[0] = from.facing[&run - from.runs];
+  to.facing[0] = from.facing[r];
   to.run[0] = 0;
   to.pixel[0] = from.pixel[i];
   to.weight[0] = from.weight[i];
+  to.planes.column[0] = from.planes.column[r];
+  for (int c = 0; c < 4; ++c) {
+    to.planes.start[c][0] = from.planes.start[c][r];
+    to.planes.per_column[c][0] = from.planes.per_column[c][r];
+  }
+  to.exact.clear();
+  if (std::ranges::count(from.exact, r) > 0) to.exact = {0};
   to.b1[0] = from.b1[i], to.b2[0] = from.b2[i];
   to.with_derivatives = from.with_derivatives;
   if (!from.with_derivatives) return;

@@ -23,7 +23,9 @@ class Resolver {
  public:
   Resolver(const Frame& frame, const VisibilityTile& visibility, SpanCollector& collector,
            const Shade& shade)
-      : frame_(frame), visibility_(visibility), collector_(collector), shade_(shade) {}
+      : frame_(frame), visibility_(visibility), collector_(collector), shade_(shade) {
+    collector_.planes.begin(visibility.triangles.size());
+  }
 
   /// Returns the number of pixels that are covered, in whole or in part.
   std::int64_t run() {
@@ -218,7 +220,8 @@ class Resolver {
   }
 
   [[gnu::noinline]] void shade(FragmentSpan& span) {
-    put_runs(frame_, visibility_, span);
+    put_runs(visibility_, span);
+    collector_.planes.put(frame_, visibility_, span);
     put_barycentric(frame_, span);
     shade_(span);
     span.clear();

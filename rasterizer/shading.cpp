@@ -1,12 +1,14 @@
 #include "rasterizer/shading.h"
 
 #include <algorithm>
+#include <array>
 #include <cstring>
 
 #include "rasterizer/batch.h"
 #include "rasterizer/cost.h"
 #include "rasterizer/interpolated_run.h"
 #include "rasterizer/placement.h"
+#include "rasterizer/planes.h"
 
 namespace scanlit {
 
@@ -108,19 +110,33 @@ void SpanShader::phong(const Frame& frame, const FragmentSpan& span, bool parts)
 }
 
 void SpanShader::gouraud(const Frame& frame, const FragmentSpan& span, bool parts) {
-  const auto interpolate = [&](const auto& part, auto& out) {
-    RunAttribute colours;
-    for (int r = 0; r < span.run_count; ++r) {
-      const DrawnTriangle& drawn = *span.runs[r].drawn;
-      const Chunk& chunk = frame.chunks[drawn.chunk];
-      const std::uint16_t* const site = &chunk.lit.corners[3 * chunk.number_of(drawn)];
-      const glm::vec4* const colour = (chunk.lit.*part).data();
-      colours.put(r, colour[site[0]], colour[site[1]], colour[site[2]]);
-    }
-    colours.interpolate(span, out);
+  // Of each corner of a run's triangle.
+  const auto values = [&](int r, const auto& part) {
+    const DrawnTriangle& drawn = *span.runs[r].drawn;
+    const Chunk& chunk = frame.chunks[drawn.chunk];
+    const std::uint16_t* const site = &chunk.lit.corners[3 * chunk.number_of(drawn)];
+    const glm::vec4* const colour = (chunk.lit.*part).data();
+    return std::array{colour[site[0]], colour[site[1]], colour[site[2]]};
   };
-  interpolate(&LitSites::colour, lit_.colour);
+  for (int i = 0; i < span.size; i += Batch::lanes) {
+    const OnPlanes at(span, i);
+    const Batch w = reciprocal(at(3));
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c) (at(c) * w).store(lit_.colour[c] + i);
+  }
+  for (const int r : span.exact) {
+    const auto [a, b, c] = values(r, &LitSites::colour);
+    interpolate_run(span, span.runs[r], a, b, c, lit_.colour);
+  }
   if (!parts) return;
+  const auto interpolate = [&](const auto& part, auto& out) {
+    RunAttribute attribute;
+    for (int r = 0; r < span.run_count; ++r) {
+      const auto [a, b, c] = values(r, part);
+      attribute.put(r, a, b, c);
+    }
+    attribute.interpolate(span, out);
+  };
   interpolate(&LitSites::ambient, lit_.ambient);
   interpolate(&LitSites::diffuse, lit_.diffuse);
   interpolate(&LitSites::glossy, lit_.glossy);

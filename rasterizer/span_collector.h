@@ -4,13 +4,15 @@
 #include <memory>
 #include <vector>
 
-#include "rasterizer/fragment_span.h"
+#include "rasterizer/planes.h"
 
 namespace scanlit {
 
 /// The spans being filled, at most one per object. Spans are reused from tile to tile.
 class SpanCollector {
  public:
+  TrianglePlanes planes;  // of the triangles that spans were made of
+
   /// The open span of a draw; a new one if it has none.
   FragmentSpan& span_of(const Draw& draw);
 

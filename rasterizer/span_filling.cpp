@@ -1,8 +1,5 @@
 #include "rasterizer/span_filling.h"
 
-#include <hwy/cache_control.h>
-
-#include <algorithm>
 #include <array>
 
 #include "rasterizer/compress.h"
@@ -76,26 +73,14 @@ void append_run(TriangleId id, int size, float weight, FragmentSpan& span) {
   span.end[span.run_count++] = std::uint32_t(span.size);
 }
 
-void put_runs(const Frame& frame, const VisibilityTile& visibility, FragmentSpan& span) {
-  constexpr int ahead = 16;  // about as long as memory takes to answer
+void put_runs(const VisibilityTile& visibility, FragmentSpan& span) {
   int first = 0;
-  for (int r = 0; r < span.run_count; ++r) {
-    const int later = std::min(r + ahead, span.run_count - 1);
-    hwy::Prefetch(visibility.triangles[span.triangle[later]]);
-    const DrawnTriangle& drawn = *visibility.triangles[span.triangle[r]];
-    for (int k = 0; k < 3; ++k) span.corners[k][r] = drawn.vertices[k];
-    if (drawn.piece != DrawnTriangle::not_cut) span.cut.push_back(r);
+  const DrawnTriangle* const* const triangles = visibility.triangles.data();
+  for (int r = 0, count = span.run_count; r < count; ++r) {
     const auto size = std::uint16_t(int(span.end[r]) - first);
-    span.runs[r] = {&drawn, std::uint16_t(first), size, 1, size};
+    span.runs[r] = {triangles[span.triangle[r]], std::uint16_t(first), size, 1, size};
     span.first_pixel[r] = span.pixel[first];
     first += size;
-    // Shading asks for them next.
-    if (span.draw->object->shading == Shading::gouraud) {
-      const Chunk& chunk = frame.chunks[drawn.chunk];
-      hwy::Prefetch(&chunk.lit.corners[3 * chunk.number_of(drawn)]);
-    } else {
-      hwy::Prefetch(&span.draw->mesh->indices[3 * std::size_t(drawn.triangle)]);
-    }
   }
   for (const auto& [r, stride, pixels] : span.strided) {
     span.runs[r].stride = std::uint8_t(stride);

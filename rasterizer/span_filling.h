@@ -15,6 +15,6 @@ void append_fitting(int begin, int end, int y, const TriangleId* row, FragmentSp
 void append_run(TriangleId id, int size, float weight, FragmentSpan& span);
 
 /// Of a span that is full: what follows from its runs' triangles.
-void put_runs(const Frame& frame, const VisibilityTile& visibility, FragmentSpan& span);
+void put_runs(const VisibilityTile& visibility, FragmentSpan& span);
 
 }  // namespace scanlit

@@ -185,6 +185,7 @@ class StagedFrame {
     const auto width = std::size_t(frame_.viewport.width);
     if (!stages_.shade) {
       span.run_count = 1, span.pixels = span.size;
+      span.exact = {0};  // b1 and b2 are there
       span.facing[0] = piece.back_facing ? -1 : 1;
       span.runs[0] = {&frame_.chunks[0].triangles[0], 0, std::uint16_t(size), 1,
                       std::uint16_t(size)};

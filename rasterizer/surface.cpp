@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
-#include "rasterizer/batch.h"
+#include "rasterizer/planes.h"
 #include "rasterizer/tangents.h"
 
 namespace scanlit {
@@ -53,11 +53,11 @@ void fill(float (&out)[components][SurfaceSpan::padded], float value) {
 constexpr int ahead = 8;  // runs, or vertices: about as long as memory takes to answer
 
 /// An attribute of the mesh's vertices.
-template <bool fine, class V>
+template <class V>
 void interpolate(const std::vector<V>& values, const FragmentSpan& span,
                  float (&out)[std::size_t(V::length())][SurfaceSpan::padded],
                  const float* sign = nullptr) {
-  RunAttribute<fine> attribute;
+  RunAttribute attribute;
   const auto corners = [&](int r) {
     return &span.draw->mesh->indices[3 * std::size_t(span.runs[r].drawn->triangle)];
   };
@@ -84,6 +84,25 @@ void spread_normals(const FragmentSpan& span, float (&out)[3][SurfaceSpan::padde
   for (int i = 0; i < span.size; i += Batch::lanes) {
     const OfRuns of(span.run + i);
     for (int c = 0; c < 3; ++c) of(normals[c]).store(out[c] + i);
+  }
+}
+
+/// On the viewer's side. Gouraud's planes are colours.
+void interpolate_normals(const FragmentSpan& span, SurfaceSpan& surface) {
+  const Mesh& mesh = *span.draw->mesh;
+  if (span.draw->object->shading == Shading::gouraud)
+    return interpolate(mesh.normals, span, surface.normal, span.facing);
+  if (span.draw->clusters->flat) return spread_normals(span, surface.normal);
+  for (int i = 0; i < span.size; i += Batch::lanes) {
+    const OnPlanes at(span, i);
+#pragma GCC unroll 3
+    for (int c = 0; c < 3; ++c) at(c).store(surface.normal[c] + i);
+  }
+  for (const int r : span.exact) {
+    const auto& [a, b, c] = Corners(mesh, span.runs[r].drawn->triangle).vertex;
+    const float sign = span.facing[r];
+    interpolate_run(span, span.runs[r], sign * mesh.normals[a], sign * mesh.normals[b],
+                    sign * mesh.normals[c], surface.normal);
   }
 }
 
@@ -145,14 +164,11 @@ void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface) {
   const Needs needs = span.draw->object->material.model->needs();
   const bool points = needs_points(needs), tangents = needs.frame && follows_texcoord(*span.draw);
   const bool positions = span.draw->illumination.needs_position;
-  if (span.draw->illumination.needs_weights)
-    interpolate<false>(mesh.normals, span, surface.normal, span.facing);
-  else
-    spread_normals(span, surface.normal);
-  if (positions) interpolate<true>(mesh.positions, span, surface.position);
-  if (tangents) interpolate<true>(mesh.tangents, span, surface.tangent);
-  if (points && !mesh.texcoords.empty()) interpolate<true>(mesh.texcoords, span, surface.texcoord);
-  if (points && !mesh.colours.empty()) interpolate<true>(mesh.colours, span, surface.colour);
+  interpolate_normals(span, surface);
+  if (positions) interpolate(mesh.positions, span, surface.position);
+  if (tangents) interpolate(mesh.tangents, span, surface.tangent);
+  if (points && !mesh.texcoords.empty()) interpolate(mesh.texcoords, span, surface.texcoord);
+  if (points && !mesh.colours.empty()) interpolate(mesh.colours, span, surface.colour);
   if (points && span.with_derivatives && !mesh.texcoords.empty())
     for (int r = 0; r < span.run_count; ++r)
       interpolate_growth(span, span.runs[r], Corners(mesh, span.runs[r].drawn->triangle).vertex,

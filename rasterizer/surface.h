@@ -48,10 +48,9 @@ Face face(const Mesh& mesh, std::uint32_t triangle);
 void put_sites(const Draw& draw, const Needs& needs, std::span<const LitSites::Site> sites,
                SurfaceSpan& surface);
 
-/// An attribute over the runs of a span: a0 + b1 (a1 - a0) + b2 (a2 - a0). `fine`: the small terms
-/// first, so that only one sum is rounded at the size of a0. A solid texture's fine fibres magnify
-/// what a position has lost; normals and colours save an operation.
-template <bool fine = false>
+/// An attribute over the runs of a span: a0 + b1 (a1 - a0) + b2 (a2 - a0), the small terms first,
+/// so that only one sum is rounded at the size of a0. A solid texture's fine fibres magnify what a
+/// position has lost.
 class RunAttribute {
  public:
   /// Of the corners of run r's triangle.
@@ -74,8 +73,7 @@ class RunAttribute {
 #pragma GCC unroll 3
       for (int c = 0; c < channels; ++c) {
         const Batch a0 = of(a0_[c]), d1 = of(d1_[c]), d2 = of(d2_[c]);
-        (fine ? a0 + mul_add(b2, d2, b1 * d1) : mul_add(b2, d2, mul_add(b1, d1, a0)))
-            .store(out[c] + i);
+        (a0 + mul_add(b2, d2, b1 * d1)).store(out[c] + i);
       }
     }
   }
@@ -101,6 +99,20 @@ class RunAttribute {
   float corners_[3][FragmentSpan::padded][4];
   FragmentSpan::PerRun a0_[3], d1_[3], d2_[3];
 };
+
+/// At the fragments of one run alone: an attribute with these values at its triangle's corners.
+template <class V>
+void interpolate_run(const FragmentSpan& span, const Run& run, const V& a, const V& b, const V& c,
+                     float (&out)[3][SurfaceSpan::padded]) {
+  for (int i = run.first, end = run.first + run.size; i < end; i += Batch::lanes) {
+    const Batch b1 = Batch::load(span.b1 + i), b2 = Batch::load(span.b2 + i);
+    const auto own = Batch::iota(float(i)) < Batch(end);
+    for (int k = 0; k < 3; ++k) {
+      const Batch value = mul_add(b2, Batch(c[k] - a[k]), mul_add(b1, Batch(b[k] - a[k]), a[k]));
+      select(own, value, Batch::load(out[k] + i)).store(out[k] + i);
+    }
+  }
+}
 
 /// Every fragment of the span becomes a point, with what its object's Illumination needs.
 void interpolate_surface(const FragmentSpan& span, SurfaceSpan& surface);
