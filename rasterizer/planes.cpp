@@ -109,16 +109,22 @@ void TrianglePlanes::copy_corners(const Frame& frame, const VisibilityTile& visi
       hwy::Prefetch(&mesh.indices[3 * std::size_t(drawn.triangle)]);
     }
   }
+  const auto vertices = [&](int i) {
+    return &mesh.indices[3 * std::size_t(visibility.triangles[new_[i]]->triangle)];
+  };
   for (int i = 0; i < count; ++i) {
-    const DrawnTriangle& drawn = *visibility.triangles[new_[i]];
     if (gouraud) {
+      const DrawnTriangle& drawn = *visibility.triangles[new_[i]];
       const Chunk& chunk = frame.chunks[drawn.chunk];
       const std::uint16_t* const site = &chunk.lit.corners[3 * chunk.number_of(drawn)];
 #pragma GCC unroll 3
       for (int k = 0; k < 3; ++k)
         std::memcpy(&values_[k][i], &chunk.lit.colour[site[k]], sizeof(glm::vec4));
     } else {
-      const std::uint32_t* const vertex = &mesh.indices[3 * std::size_t(drawn.triangle)];
+      const std::uint32_t* const vertex = vertices(i);
+      const std::uint32_t* const later = vertices(std::min(i + ahead / 2, count - 1));
+#pragma GCC unroll 3
+      for (int k = 0; k < 3; ++k) hwy::Prefetch(&mesh.normals[later[k]]);
 #pragma GCC unroll 3
       for (int k = 0; k < 3; ++k)
         std::memcpy(&values_[k][i], &mesh.normals[vertex[k]], sizeof(glm::vec3));
