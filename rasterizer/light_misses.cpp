@@ -70,8 +70,11 @@ Cosines<Bounded> cosines(const Cosine<Bounded>& n_l, const BoundedSurface& surfa
 /// Where it sets, the formula's value ends. It is taken as it is above the horizon and, beyond, at
 /// N.L = 0: without a jump, but with N.L's kink. What that is beyond the horizon, where 0 is shown,
 /// a straight line misses by at most its size.
-bool add_light(const ReflectionModel& model, const LightSource& light, const ScreenGroup& group,
-               const BoundedSurface& surface, std::span<const Spacing> spacings, Misses& sum) {
+///
+/// Inlined whole (flatten): calls would pass bounds, five vectors each, through memory.
+[[gnu::flatten]] bool add_light(const ReflectionModel& model, const LightSource& light,
+                                const ScreenGroup& group, const BoundedSurface& surface,
+                                std::span<const Spacing> spacings, Misses& sum) {
   BoundedDirection l{.centre = broadcast(light.to_light)};
   Bounded share(1);
   if (!light.far) {

@@ -17,25 +17,26 @@
 // together: the tests hold every model to less. The same budget pays for codes that are only
 // near_codes right (pixel_codes.h), of all pixels, interpolated or not.
 //
-// Bounds are dear: those of a vector of triangles under one light take about as long as lighting 80
+// Bounds are dear: those of a vector of triangles under one light take about as long as lighting 40
 // vectors of pixels. So a few triangles of each chunk are tried, and where little is spared nothing
-// else is bounded. The frame alone decides that, not who draws which tile.
+// else is bounded. The frame alone decides that, not who draws which tile. What a tile holds of a
+// large triangle is bounded in tall cells, then those in parts that may spare more than that.
 //
 // How many times faster frames are with E = 1, how many times they would be were shading free
 // (tests/bench/run tolerance; AVX-512, one thread), and which share of the pixels is lit:
 //
 //        ratio  free  lit        ratio  free  lit        ratio  free  lit        ratio  free  lit
-//   R5    3.2    22   .13   R8    1.37  3.2   .49   R1    1.13  1.7  1.00   R3    1.05  6.2  1.00
-//   R6    2.0    21   .31   S3    1.09  2.2   .39   R4    1.11  9.1   .85   R7    1.04  3.0  1.00
-//   S6    1.8   7.9   .34   S5F   1.07  1.2   .18   R2    1.10  1.9   .83   S2    1.02  1.9   .31
-//   R0    1.77  3.1   .19                           R9    1.06  1.7  1.00   S8P    .98  1.3  1.00
+//   R5    4.3    23   .14   R8    1.47  3.4   .50   R4    1.15  9.1   .85   R3    1.05  6.1  1.00
+//   R6    2.3    22   .32   S3    1.10  2.3   .39   R2    1.15  1.9   .83   R7    1.05  3.1  1.00
+//   R0    2.0   3.3   .19   S5F   1.09  1.2   .18   R1    1.14  1.7  1.00   S2    1.07  1.9   .31
+//   S6    1.9   8.3   .34                           R9    1.08  1.7  1.00   S8P   1.00  1.3  1.00
 //
 // What is missing is a cheap proof for triangles of a few pixels (R2, R4, R7, R9, S8P), and a sharp
 // one where many lobes overlap (R3). Tried without gain: 32 pixels of a row and rows below,
 // whatever their triangles, with the bends of N, V and P measured pixel by pixel; rectangles of
-// large triangles lit on a lattice; small triangles lit at their corners alone, some of them in one
-// cone of directions: of R7's 3 % can be shown to be as good by 50 of them, 8 % by 16, and 56 % by
-// 4, whose bounds take longer than their pixels.
+// large triangles lit on a lattice; cells as narrow as the longest stride; small triangles lit at
+// their corners alone, some of them in one cone of directions: of R7's 3 % can be shown to be as
+// good by 50 of them, 8 % by 16, and 56 % by 4, whose bounds take longer than their pixels.
 #pragma once
 
 #include "rasterizer/pipeline.h"
