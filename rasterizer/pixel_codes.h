@@ -32,7 +32,7 @@ struct ColourTarget {
 Batch srgb_from_linear(const Batch& x);
 
 /// By how much a code may be off, before it is rounded, where RenderSettings::tolerance allows it.
-constexpr double near_codes = 0.03;
+constexpr double near_codes = 0.035;
 
 /// The same codes as EightBitEncoder's, to the last float; or near ones, in half the time. NaN
 /// becomes 0.
