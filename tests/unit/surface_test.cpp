@@ -205,6 +205,23 @@ TEST(PhongNormals, AreInterpolatedAndThenNormalised) {
     }
 }
 
+TEST(PhongNormals, AreFlippedWhereTheTriangleIsSeenFromBehind) {
+  auto mesh = triangle_soup({{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}});
+  mesh->indices = {0, 1, 2, 0, 2, 3};
+  const glm::vec3 left(-0.8f, 0, 0.6f), right(0.8f, 0, 0.6f);
+  mesh->normals = {left, right, right, left};
+  Object object = object_of(mesh, CosineOnly());
+  object.world_from_object = glm::rotate(identity, 3.14159265f, glm::vec3(0, 1, 0));
+  const Picture picture = picture_of(scene_of({object}), Camera(), 64, 64);
+  for (const int x : {8, 31, 50}) {
+    const float* n = &picture.framebuffer.normal[3 * picture.index(x, 20)];
+    const double t = (2 * (x + 0.5) / 64 - 1) * std::tan(3.14159265358979 / 8);
+    const glm::dvec3 expected = glm::normalize(glm::dvec3(-0.8 * t, 0, 0.6));
+    EXPECT_NEAR(n[0], expected.x, 1e-3);
+    EXPECT_NEAR(n[2], expected.z, 1e-3);
+  }
+}
+
 TEST(PhongNormals, TiltedAwayFromTheViewerCountAsJustVisible) {
   auto mesh = triangle_soup({{-4, -4, 0}, {4, -4, 0}, {0, 8, 0}});
   mesh->normals.assign(3, glm::normalize(glm::vec3(1, 0, -0.2f)));
