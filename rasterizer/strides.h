@@ -26,10 +26,10 @@
 // (tests/bench/run tolerance; AVX-512, one thread), and which share of the pixels is lit:
 //
 //        ratio  free  lit        ratio  free  lit        ratio  free  lit        ratio  free  lit
-//   R5    4.3    23   .14   R8    1.47  3.4   .50   R4    1.15  9.1   .85   R3    1.05  6.1  1.00
-//   R6    2.3    22   .32   S3    1.10  2.3   .39   R2    1.15  1.9   .83   R7    1.05  3.1  1.00
-//   R0    2.0   3.3   .19   S5F   1.09  1.2   .18   R1    1.14  1.7  1.00   S2    1.07  1.9   .31
-//   S6    1.9   8.3   .34                           R9    1.08  1.7  1.00   S8P   1.00  1.3  1.00
+//   R5    4.3    22   .14   R8    1.46  3.3   .50   R2    1.15  1.7   .83   R7    1.06  2.6  1.00
+//   R6    2.3    22   .32   R4    1.14  8.2   .85   S3    1.07  2.5   .39   R3    1.05  6.1  1.00
+//   R0    2.0   3.2   .19   R1    1.15  1.6  1.00   S5F   1.05  1.2   .18   S8P   1.01  1.1  1.00
+//   S6    1.9   7.4   .34                           R9    1.08  1.5  1.00   S2    1.00  1.9   .31
 //
 // What is missing is a cheap proof for triangles of a few pixels (R2, R4, R7, R9, S8P), and a sharp
 // one where many lobes overlap (R3). Tried without gain: 32 pixels of a row and rows below,
