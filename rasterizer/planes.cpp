@@ -23,6 +23,37 @@ IntVector least(const IntVector (&v)[3]) { return hn::Min(v[0], hn::Min(v[1], v[
 IntVector most(const IntVector (&v)[3]) { return hn::Max(v[0], hn::Max(v[1], v[2])); }
 Batch in_float(IntVector v) { return hn::ConvertTo(Batch::tag, v); }
 
+/// The edge functions of a vector of triangles at the pixel in the middle of their boxes, where
+/// numbers stay small, and by how much they grow with the pixel on the right and the one below.
+/// Exact before they are rounded (see Viewport).
+struct Edges {
+  IntVector column, row;  // of that pixel
+  Batch at_origin[3], right[3], below[3];
+  Batch twice_area;  // their sum, everywhere
+
+  Edges(const IntVector (&x)[3], const IntVector (&y)[3])
+      : column(hn::ShiftRight<9>(hn::Add(least(x), most(x)))),
+        row(hn::ShiftRight<9>(hn::Add(least(y), most(y)))) {
+    const auto to_corner = [](IntVector corner, IntVector pixel) {
+      return Doubles::from(hn::Sub(corner, centre(pixel)));
+    };
+    const Doubles dx[3] = {to_corner(x[0], column), to_corner(x[1], column),
+                           to_corner(x[2], column)};
+    const Doubles dy[3] = {to_corner(y[0], row), to_corner(y[1], row), to_corner(y[2], row)};
+    Doubles sum = 0;
+#pragma GCC unroll 3
+    for (int k = 0; k < 3; ++k) {
+      const int from = (k + 1) % 3, to = (k + 2) % 3;
+      const Doubles exact = dx[to] * dy[from] - dy[to] * dx[from];
+      sum = sum + exact;
+      at_origin[k] = exact.rounded();
+      right[k] = in_float(hn::Sub(y[to], y[from])) * Batch(subpixel);
+      below[k] = in_float(hn::Sub(x[from], x[to])) * Batch(subpixel);
+    }
+    twice_area = sum.rounded();
+  }
+};
+
 }  // namespace
 
 /// Of a vector of triangles.
@@ -142,28 +173,8 @@ void TrianglePlanes::make(const Frame& frame, const FragmentSpan& span, int coun
   for (int i = 0; i < count; i += Batch::lanes) {
     const Corners corners(vertices_, i, perspective);
     const auto& [x, y, inv_w] = corners;
-    // The pixel in the middle of the box: numbers stay small.
-    const IntVector column = hn::ShiftRight<9>(hn::Add(least(x), most(x)));
-    const IntVector row = hn::ShiftRight<9>(hn::Add(least(y), most(y)));
-    const auto to_corner = [](IntVector corner, IntVector pixel) {
-      return Doubles::from(hn::Sub(corner, centre(pixel)));
-    };
-    const Doubles dx[3] = {to_corner(x[0], column), to_corner(x[1], column),
-                           to_corner(x[2], column)};
-    const Doubles dy[3] = {to_corner(y[0], row), to_corner(y[1], row), to_corner(y[2], row)};
-    // Edge functions, exact before they are rounded (see Viewport), at the origin and per pixel.
-    Doubles sum = 0;
-    Batch edge[3], right[3], below[3];
-#pragma GCC unroll 3
-    for (int k = 0; k < 3; ++k) {
-      const int from = (k + 1) % 3, to = (k + 2) % 3;
-      const Doubles exact = dx[to] * dy[from] - dy[to] * dx[from];
-      sum = sum + exact;
-      edge[k] = exact.rounded();
-      right[k] = in_float(hn::Sub(y[to], y[from])) * Batch(subpixel);
-      below[k] = in_float(hn::Sub(x[from], x[to])) * Batch(subpixel);
-    }
-    const Batch twice_area = sum.rounded();
+    const Edges edges(x, y);
+    const Batch& twice_area = edges.twice_area;
     const Batch scale = Batch(1) / twice_area / max(inv_w[0], max(inv_w[1], inv_w[2]));
     const Batch share[3] = {inv_w[0] * scale, inv_w[1] * scale, inv_w[2] * scale};
     const Batch facing = select(twice_area < Batch(0), -front, front);
@@ -189,11 +200,12 @@ void TrianglePlanes::make(const Frame& frame, const FragmentSpan& span, int coun
     const auto growth = [&](const Batch(&e)[3]) {
       return e[1] * (share[1] - share[0]) + e[2] * (share[2] - share[0]);
     };
-    store_plane(edge[0] * share[0] + (edge[1] * share[1] + edge[2] * share[2]), edge, at_origin_);
-    store_plane(growth(right), right, per_column_);
-    store_plane(growth(below), below, per_row_);
+    const auto& e = edges.at_origin;
+    store_plane(e[0] * share[0] + (e[1] * share[1] + e[2] * share[2]), e, at_origin_);
+    store_plane(growth(edges.right), edges.right, per_column_);
+    store_plane(growth(edges.below), edges.below, per_row_);
     const Batch inexact = select(corners.imprecise(twice_area), Batch(1), Batch::load(cut_ + i));
-    store({in_float(column), in_float(row), facing, inexact}, origin_);
+    store({in_float(edges.column), in_float(edges.row), facing, inexact}, origin_);
   }
 }
 
