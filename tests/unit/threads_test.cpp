@@ -1,10 +1,15 @@
 // The picture does not depend on the number of threads: every plane, to the bit.
+#include <tbb/global_control.h>
+
 #include <algorithm>
+#include <chrono>
 #include <glm/geometric.hpp>
 #include <random>
+#include <thread>
 
 #include "models/blinn_phong.h"
 #include "rasterizer/error.h"
+#include "rasterizer/parallel.h"
 #include "tests/unit/same_picture.h"
 #include "tests/unit/test_scene.h"
 
@@ -119,6 +124,27 @@ TEST(ThreadSettings, ProgressThatThrowsStopsAllThreads) {
                  std::runtime_error);
     EXPECT_LT(calls, 100) << "tiles of 469";
   }
+}
+
+// As above, with a second thread that is certainly at work when the first one fails.
+TEST(ThreadSettings, WorkThatThrowsStopsTheOtherThreads) {
+  using namespace std::chrono_literals;
+  const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
+  constexpr std::size_t count = 200;
+  std::atomic<bool> failed{false};
+  std::atomic<std::size_t> begun{0};
+  const auto work = [&](std::size_t i) {
+    ++begun;
+    if (i == 0) {
+      while (begun < 2) std::this_thread::sleep_for(1ms);
+      failed = true;
+      throw std::runtime_error("enough");
+    }
+    while (!failed) std::this_thread::sleep_for(1ms);
+    std::this_thread::sleep_for(i == 1 ? 50ms : 1ms);  // the first thread has said so by then
+  };
+  EXPECT_THROW(tbb::task_arena(2).execute([&] { parallel(count, work); }), std::runtime_error);
+  EXPECT_LT(begun, count / 2);
 }
 
 TEST(ThreadSettings, SettingsOutOfRangeAreRefused) {
