@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <random>
 
 #include "tests/unit/test_scene.h"
@@ -139,6 +140,49 @@ TEST(Interpolation, ScreenLinearIsAffineOnTheScreen) {
     compared += require_attributes(c, Interpolation::screen_linear, screen_weights, 5e-7);
   }));
   EXPECT_GT(compared, 5000);
+}
+
+// What fragments are shaded by comes from planes over the screen where distances differ by less
+// than a factor of 2, else from weights.
+TEST(Interpolation, ColoursAndNormalsEqualRayAndPlane) {
+  std::mt19937_64 random(20261122);
+  std::uniform_real_distribution<float> unit(-1, 1);
+  int compared = 0;
+  for (int i = 0; i < 600; ++i) {
+    const double decades[] = {0, 0.1, 0.3, 1};
+    const Case c = random_case(random, decades[i % 4]);
+    auto mesh = triangle_soup(c.positions);
+    mesh->texcoords = c.texcoords;
+    for (glm::vec3& n : mesh->normals) n = glm::normalize(glm::vec3(unit(random), unit(random), 1));
+    const auto drawn = [&](Shading shading) {
+      return picture_of(scene_of({object_of(mesh, ShowPoint(), shading)}), eye_at_origin(near),
+                        size, size);
+    };
+    const Picture gouraud = drawn(Shading::gouraud), phong = drawn(Shading::phong);
+    for (int y = 0; y < size; ++y)
+      for (int x = 0; x < size; ++x) {
+        if (gouraud.triangle(x, y) == no_id) continue;
+        ++compared;
+        const Weights b = ray_plane(c, x, y);
+        glm::dvec3 normal;
+        for (int k = 0; k < 3; ++k) {
+          const auto colour = [&](std::size_t v) {
+            return Real(c.positions[v][k]) + (k < 2 ? Real(c.texcoords[v][k]) : 0);
+          };
+          const Real scale =
+              std::max({std::abs(colour(0)), std::abs(colour(1)), std::abs(colour(2)), Real(0.01)});
+          EXPECT_NEAR(double(gouraud.colour(x, y)[k] / scale), double(mix(b, colour) / scale), 2e-6)
+              << i << ": " << x << ' ' << y;
+          normal[k] = double(mix(b, [&](std::size_t v) { return Real(mesh->normals[v][k]); }));
+        }
+        normal = glm::normalize(normal);
+        for (int k = 0; k < 3; ++k)
+          EXPECT_NEAR(double(phong.framebuffer.normal[3 * phong.index(x, y) + std::size_t(k)]),
+                      normal[k], 2e-6)
+              << i << ": " << x << ' ' << y;
+      }
+  }
+  EXPECT_GT(compared, 10000);
 }
 
 TEST(Interpolation, TheTwoDifferWhereDistancesDo) {
