@@ -1,10 +1,11 @@
 // (8) The edge functions of a span's runs: barycentric coordinates of most triangles.
 #pragma once
 
-#include "rasterizer/doubles.h"
 #include "rasterizer/of_runs.h"
 
 namespace scanlit {
+
+struct CornerVectors;
 
 /// Of each run the edge functions opposite to its triangle's corners, exact at a pixel of its row,
 /// and their growth per pixel; and the corners' 1/w. Made for vectors of runs, for vectors of
@@ -20,8 +21,7 @@ class EdgeFunctions {
   }
 
  private:
-  struct Corners;
-  void put_functions(const Corners& corners, int r, const FragmentSpan& span);
+  void put_functions(const CornerVectors& corners, int r, const FragmentSpan& span);
 
   ScreenVertex vertices_[3][FragmentSpan::padded];  // of each run's triangle
   FragmentSpan::PerRun column_;                     // of that pixel

@@ -14,7 +14,7 @@ namespace scanlit {
 /// triangle and its pixel alone, to the bit.
 class TrianglePlanes {
  public:
-  /// Other triangles follow, numbered from 0.
+  /// Other triangles follow: those below this number.
   void begin(std::size_t triangles);
 
   /// Fills planes, facing and exact of a span whose runs and pixels are there.
@@ -25,7 +25,6 @@ class TrianglePlanes {
   struct Quad {
     float v[4];
   };
-  struct Corners;
 
   int number(const FragmentSpan& span);
   void copy_corners(const Frame& frame, const VisibilityTile& visibility, const FragmentSpan& span,

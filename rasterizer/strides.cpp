@@ -245,6 +245,7 @@ CellStrides strides_in(const Frame& frame, const DrawnTriangle& drawn, const Rec
     }
   for (std::size_t i = 0; i < wanted.size(); i += std::size_t(Batch::lanes)) {
     const std::size_t count = std::min(wanted.size() - i, std::size_t(Batch::lanes));
+    // After a vector in vain the others are not tried.
     if (!raise(frame, drawn, {&wanted[i], count}, cells)) break;
   }
   return cells;

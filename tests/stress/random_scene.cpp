@@ -1,5 +1,7 @@
 #include "tests/stress/random_scene.h"
 
+#include <algorithm>
+
 #include "models/registry.h"
 #include "tests/stress/grid_mesh.h"
 
@@ -31,7 +33,9 @@ std::shared_ptr<const ReflectionModel> random_model(Property& property) {
 }
 
 std::shared_ptr<Mesh> random_mesh(Property& property) {
-  const int columns = property.whole(3, 40), rows = property.whole(3, 40);
+  // Now and then so many triangles that a tile has thousands.
+  const bool fine = property.whole(0, 15) == 0;
+  const int columns = fine ? 200 : property.whole(3, 40), rows = fine ? 100 : property.whole(3, 40);
   const Grid grid(columns, rows, true, property);
   std::vector<glm::vec3> positions;
   for (const auto& p : torus_positions(columns, rows, property.uniform(0.1, 0.5),
@@ -45,6 +49,8 @@ std::shared_ptr<Mesh> random_mesh(Property& property) {
     const glm::vec3 side = random_direction(property);
     mesh->tangents.push_back(glm::normalize(glm::cross(side, mesh->normals[i])));
   }
+  // All normals of each triangle equal, as a wall's are.
+  if (property.whole(0, 3) == 0) std::ranges::fill(mesh->normals, random_direction(property));
   return mesh;
 }
 
@@ -95,12 +101,14 @@ RandomScene random_scene(Property& property) {
   all.settings.samples = property.any_of(1, 1, 4, 8, 16);
   all.width = property.whole(1, 200);
   all.height = property.whole(1, 150);
+  // Where colours alone are wanted, less is made.
+  const bool more = property.coin();
+  all.planes = {.depth = true, .normal = more, .ids = true, .parts = more};
   return all;
 }
 
 Framebuffer draw(const RandomScene& all) {
-  Framebuffer framebuffer(all.width, all.height,
-                          {.depth = true, .normal = true, .ids = true, .parts = true});
+  Framebuffer framebuffer(all.width, all.height, all.planes);
   render(all.scene, all.camera, all.settings, framebuffer);
   return framebuffer;
 }

@@ -11,12 +11,12 @@ struct RandomScene {
   Camera camera;
   RenderSettings settings;
   int width, height;
+  Planes planes;  // colour, depth and ids; sometimes normals and parts
 };
 
 /// One to five objects, whole and cut, of models and inputs of every kind, under up to four lights.
 RandomScene random_scene(Property& property);
 
-/// All planes but cost.
 Framebuffer draw(const RandomScene& all);
 
 }  // namespace scanlit::stress
