@@ -1,7 +1,8 @@
 // Whether two pictures are the same to the bit: == would take -0 for 0, and no NaN for itself.
 #pragma once
 
-#include <cstring>
+#include <algorithm>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,7 @@ namespace scanlit::test {
 inline std::string planes_that_differ(const Framebuffer& a, const Framebuffer& b) {
   std::string names;
   const auto compare = [&](const auto& p, const auto& q, const char* name) {
-    const bool same =
-        p.size() == q.size() && std::memcmp(p.data(), q.data(), p.size() * sizeof p[0]) == 0;
+    const bool same = std::ranges::equal(std::as_bytes(std::span(p)), std::as_bytes(std::span(q)));
     if (!same) names += names.empty() ? name : std::string(" ") + name;
   };
   compare(a.colour, b.colour, "colour");
