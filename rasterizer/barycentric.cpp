@@ -159,17 +159,18 @@ void put_all(const Frame& frame, FragmentSpan& span) {
   }
 }
 
-}  // namespace
-
-bool needs_barycentric(const Frame& frame, const Draw& draw) {
+/// Whether fragments are shaded by more than what they have planes of (planes.h).
+bool all_need_weights(const Frame& frame, const Draw& draw) {
   const bool by_normal_alone =
       draw.object->shading != Shading::phong || !draw.illumination.needs_position;
   return !(frame.colour_alone && by_normal_alone);
 }
 
+}  // namespace
+
 void put_barycentric(const Frame& frame, FragmentSpan& span) {
   if (!span.draw->illumination.needs_weights) return;
-  if (needs_barycentric(frame, *span.draw)) put_all(frame, span);
+  if (all_need_weights(frame, *span.draw)) put_all(frame, span);
   const auto put = [&](int r) {
     const std::uint32_t pixel = span.first_pixel[r];
     put_exactly(frame, r, double(pixel & 0xffff) * subpixel + half_pixel,

@@ -13,9 +13,6 @@
 
 namespace scanlit {
 
-/// Whether fragments are shaded by more than what they have planes of (planes.h).
-bool needs_barycentric(const Frame& frame, const Draw& draw);
-
 /// Fills b1 and b2 of all fragments where they are needed; else, where anything varies over a
 /// triangle, of those of exact runs, to which it adds the centroids'.
 void put_barycentric(const Frame& frame, FragmentSpan& span);

@@ -56,8 +56,8 @@ struct FragmentSpan {
   struct Planes {
     PerRun column, start[4], per_column[4];
   } planes;
-  // Runs whose triangles were cut or whose planes are not precise, and those of centroids: for them
-  // there are always b1 and b2, and these count.
+  // Runs whose triangles were cut or whose planes are not precise, and those of centroids: they are
+  // shaded by b1 and b2, which they have wherever anything varies over a triangle.
   std::vector<int> exact;
 
   // Runs of one fragment each that is not at its pixel's centre, and where it is, in 1/256 pixel.

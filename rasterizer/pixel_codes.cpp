@@ -60,9 +60,9 @@ Batch code_by_parabolas(const Batch& x) {
   return select(x <= Batch(0.0031308f), Batch(255 * 12.92) * x, code);
 }
 
-/// The codes of srgb_from_linear, within .026. As pow, but with polynomials of lower degree,
-/// through Chebyshev's nodes: log2(m) / 2.4 for m in [1, 2] is within 4.8e-5, 2^r for |r| <= 1/2
-/// within 1e-4 of itself.
+/// The codes of srgb_from_linear, within near_codes: by parabolas, where one vector holds them all.
+/// Else as pow, but with polynomials of lower degree, through Chebyshev's nodes: log2(m) / 2.4 for
+/// m in [1, 2] is within 4.8e-5, 2^r for |r| <= 1/2 within 1e-4 of itself, the code within .026.
 Batch near_srgb_code(const Batch& x) {
   if constexpr (Batch::lanes == Parabolas::count) return code_by_parabolas(x);
   const hn::RebindToSigned<Batch::Tag> ints;

@@ -5,14 +5,13 @@
 
 #include <algorithm>
 #include <span>
-#include <unordered_map>
 
 #include "rasterizer/barycentric.h"
 #include "rasterizer/batch.h"
 #include "rasterizer/compress.h"
+#include "rasterizer/run_strides.h"
 #include "rasterizer/span_collector.h"
 #include "rasterizer/span_filling.h"
-#include "rasterizer/strides.h"
 
 namespace scanlit {
 
@@ -108,7 +107,7 @@ class Resolver {
     for (const int end : ends) {
       if (row[run] != no_triangle) {
         FragmentSpan& own = only ? *only : span_of(*visibility_.triangles[row[run]]);
-        const bool strided = own.may_stride && may_stride(own, row[run], end - run);
+        const bool strided = own.may_stride && strides_.may_stride(own, row[run], end - run);
         if (strided || &own != span) append_open(run), begin = run, span = &own;
         if (strided) append_stretches(run, y, end, row, own), span = nullptr;
       }
@@ -143,26 +142,12 @@ class Resolver {
     }
   }
 
-  /// Whether to shade a run every few pixels: its own cost is that of lighting some ten of them.
-  bool may_stride(const FragmentSpan& span, TriangleId id, int size) {
-    const int lights = int(span.draw->illumination.lights.size());
-    return size > 3 && size * lights > 10 && stride_of_triangle(id) > 1;
-  }
-
-  /// As stride_of() has it, which is asked once for all rows.
-  int stride_of_triangle(TriangleId id) {
-    if (strides_.empty()) strides_.resize(visibility_.triangles.size());
-    std::uint8_t& stride = strides_[id];
-    if (stride == 0) stride = std::uint8_t(stride_of(frame_, *visibility_.triangles[id]));
-    return stride;
-  }
-
   /// Where strides are taken.
   [[gnu::noinline]] void append_stretches(int begin, int y, int end, const TriangleId* row,
                                           FragmentSpan& span) {
     const TriangleId id = row[begin];
     while (begin < end) {
-      auto [stride, until] = stride_at(id, *visibility_.triangles[id], begin, y, end);
+      auto [stride, until] = strides_.at(id, begin, y, end);
       if (stride > 1) {
         until = std::min(until, begin + (FragmentSpan::capacity - 1) * stride + 1);
         append_some(id, begin, y, until - begin, stride, span);
@@ -171,28 +156,6 @@ class Resolver {
       }
       begin = until;
     }
-  }
-
-  /// The stride of a run's pixels up to `until`.
-  struct Stretch {
-    int stride, until;
-  };
-  Stretch stride_at(TriangleId id, const DrawnTriangle& drawn, int x, int y, int end) {
-    const auto stretch_to = [&](int until, int stride) {
-      return Stretch{until - x > 3 ? stride : 1, until};
-    };
-    const int of_triangle = stride_of_triangle(id);
-    if (of_triangle != by_cells) return stretch_to(end, of_triangle);
-    const auto [of_id, is_new] = cells_.try_emplace(id);
-    CellStrides& cells = of_id->second;
-    if (is_new) cells = strides_in(frame_, drawn, visibility_.rect);
-    const std::uint8_t* const strides = cells.in_row(y);
-    const int column = (x - cells.x_begin) / cells.width, stride = strides[column];
-    int until = column + 1;
-    // From within a cell no stride may lead into the next.
-    const bool whole = (x - cells.x_begin) % cells.width == 0;
-    while (whole && cells.x_begin + until * cells.width < end && strides[until] == stride) ++until;
-    return stretch_to(std::min(end, cells.x_begin + until * cells.width), stride);
   }
 
   FragmentSpan& span_of(const DrawnTriangle& drawn) {
@@ -295,8 +258,7 @@ class Resolver {
   std::vector<TriangleId> row_;
   std::vector<std::int32_t> ends_;  // of a row's runs
   std::vector<SplitPixel> split_pixels_;
-  std::vector<std::uint8_t> strides_;  // of the tile's triangles; 0: not known yet
-  std::unordered_map<TriangleId, CellStrides> cells_;
+  RunStrides strides_{frame_, visibility_};
   std::int64_t covered_pixels_ = 0;
 };
 

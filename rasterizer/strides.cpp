@@ -143,8 +143,8 @@ bool may_meet(const DrawnTriangle& drawn, const Rect& r) {
   return true;
 }
 
-/// Bounds up to a vector of rectangles of cells and keeps what is better than what was known of
-/// them; false if nothing is.
+/// Bounds up to a vector of rectangles, each one cell wide, and keeps what is better than what was
+/// known of them; false if nothing is.
 bool raise(const Frame& frame, const DrawnTriangle& drawn, std::span<const Rect> some,
            CellStrides& cells) {
   ScreenGroup group;
