@@ -23,8 +23,8 @@ class EdgeFunctions {
  private:
   void put_functions(const CornerVectors& corners, int r, const FragmentSpan& span);
 
-  ScreenVertex vertices_[3][FragmentSpan::padded];  // of each run's triangle
-  FragmentSpan::PerRun column_;                     // of that pixel
+  alignas(cache_line) ScreenVertex vertices_[3][FragmentSpan::padded];  // of each run's triangle
+  FragmentSpan::PerRun column_;                                         // of that pixel
   FragmentSpan::PerRun first_[3], per_pixel_[3], inv_w_[3];
 };
 

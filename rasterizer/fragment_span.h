@@ -33,6 +33,8 @@ struct FragmentSpan {
   static constexpr int capacity = 512;
   static constexpr int padded = capacity + int(max_lanes);
   using PerRun = float[padded];  // one number for each run
+  // So that each array begins at a line of the cache (aligned_vector.h) if the one before it does.
+  static_assert(sizeof(PerRun) % cache_line == 0);
 
   const Draw* draw = nullptr;
   int size = 0, run_count = 0;
@@ -40,7 +42,7 @@ struct FragmentSpan {
   bool may_stride = false;  // strides.h
   // Of each run its triangle's number in the tile, and past its last fragment; the rest is made of
   // them when the span is full.
-  TriangleId triangle[padded];
+  alignas(cache_line) TriangleId triangle[padded];
   std::uint32_t end[padded];
   Run runs[capacity];
   PerRun facing;                 // 1, or -1 where its normal is flipped to the viewer's side
@@ -54,7 +56,7 @@ struct FragmentSpan {
   /// Of each run what it is shaded by, over w (planes.h): in the run's row at a column of its
   /// triangle's, and by how much it grows from there to the next.
   struct Planes {
-    PerRun column, start[4], per_column[4];
+    alignas(cache_line) PerRun column, start[4], per_column[4];
   } planes;
   // Runs whose triangles were cut or whose planes are not precise, and those of centroids: they are
   // shaded by b1 and b2, which they have wherever anything varies over a triangle.
@@ -81,7 +83,7 @@ struct FragmentSpan {
   // By how much b1 and b2 grow to the next pixel, to first order; only `with_derivatives`.
   bool with_derivatives = false;
   struct Derivatives {
-    float b1[padded], b2[padded];
+    alignas(cache_line) float b1[padded], b2[padded];
   } dx, dy;  // on the right, below
 };
 

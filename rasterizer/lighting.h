@@ -13,7 +13,7 @@ namespace scanlit {
 struct LitSpan {
   bool with_parts = true;
   bool with_evaluations = false;
-  float colour[3][SurfaceSpan::padded];
+  alignas(cache_line) float colour[3][SurfaceSpan::padded];
   float ambient[3][SurfaceSpan::padded];
   float diffuse[3][SurfaceSpan::padded];
   float glossy[3][SurfaceSpan::padded];

@@ -62,6 +62,7 @@
 #include <memory>
 #include <span>
 
+#include "rasterizer/aligned_vector.h"
 #include "rasterizer/mesh/clusters.h"
 #include "rasterizer/render.h"
 #include "rasterizer/screen.h"
@@ -162,7 +163,7 @@ inline ScreenTriangle screen_triangle(const ScreenVertex& a, const ScreenVertex&
 // ---------------------------------------------------------------------------------- (6) assembly
 
 /// A triangle that scan conversion will see, or a piece of one that was cut: one line of the cache.
-struct alignas(64) DrawnTriangle {
+struct alignas(cache_line) DrawnTriangle {
   ScreenVertex vertices[3];
   std::uint32_t draw;      // Draw::index
   std::uint32_t triangle;  // in the mesh
@@ -272,8 +273,8 @@ struct VisibilityTile {
   int samples = 1;
   std::vector<const DrawnTriangle*> triangles;  // that may touch the tile
   std::uint32_t only_draw = no_id;              // whose they all are, if they are of one
-  std::vector<float> depth;
-  std::vector<TriangleId> triangle;
+  AlignedVector<float> depth;
+  AlignedVector<TriangleId> triangle;
 
   /// Nothing is covered yet; only `touched_pixels` will be.
   void reset(const Rect& tile, const Rect& touched_pixels, int sample_count);

@@ -8,7 +8,7 @@ namespace scanlit {
 
 /// World space. What nobody needs is left as it is.
 struct Places {
-  float position[3][SurfaceSpan::padded];
+  alignas(cache_line) float position[3][SurfaceSpan::padded];
   float to_viewer[3][SurfaceSpan::padded];  // unit
 };
 

@@ -37,11 +37,11 @@ class TrianglePlanes {
   int base_ = 0, next_ = 0;
   // Four channels, the fourth 1/w, at an origin, and their growth per column and per row; and of
   // the origin column, row, facing, and 1 where float is not precise.
-  Quad at_origin_[capacity + max_lanes], per_column_[capacity + max_lanes],
+  alignas(cache_line) Quad at_origin_[capacity + max_lanes], per_column_[capacity + max_lanes],
       per_row_[capacity + max_lanes], origin_[capacity + max_lanes];
 
   // Of those whose planes are to be made.
-  TriangleId new_[FragmentSpan::padded];
+  alignas(cache_line) TriangleId new_[FragmentSpan::padded];
   ScreenVertex vertices_[3][FragmentSpan::padded];
   Quad values_[3][FragmentSpan::padded];
   float cut_[FragmentSpan::padded];

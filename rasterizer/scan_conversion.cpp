@@ -127,15 +127,17 @@ void VisibilityTile::reset(const Rect& tile, const Rect& touched_pixels, int sam
   only_draw = no_id;
   samples = sample_count;
   const int width = tile.x_end - tile.x_begin, height = tile.y_end - tile.y_begin;
-  // A vector that starts at a row's last pixel must stay inside the arrays.
-  stride = width + lanes;
+  // Rows begin at a line of the cache; a vector that starts at a row's last pixel must stay inside
+  // the arrays.
+  stride = (width + 2 * lanes - 1) / lanes * lanes;
   const auto size = std::size_t(stride) * std::size_t(height * samples);
   if (depth.size() < size) depth.resize(size), triangle.resize(size);
   const auto none = hn::Set(ints, std::int32_t(no_triangle));
+  const int first_x = touched.x_begin - (touched.x_begin - rect.x_begin) % lanes;
   for (int s = 0; s < samples; ++s)
     for (int y = touched.y_begin; y < touched.y_end; ++y) {
       const std::size_t first = row(s, y) - std::size_t(rect.x_begin);
-      for (int x = touched.x_begin; x < touched.x_end; x += lanes) {
+      for (int x = first_x; x < touched.x_end; x += lanes) {
         Batch(0).store(&depth[first + std::size_t(x)]);
         hn::StoreU(none, ints, reinterpret_cast<std::int32_t*>(&triangle[first + std::size_t(x)]));
       }

@@ -20,14 +20,15 @@ struct SurfaceSpan {
 
   int size = 0;
   const std::uint32_t* pixel =
-      nullptr;                     // where they are seen, if they are fragments (FragmentSpan)
-  float position[3][padded] = {};  // object space
+      nullptr;  // where they are seen, if they are fragments (FragmentSpan)
+  alignas(cache_line) float position[3][padded] = {};  // object space
   float normal[3][padded] = {};    // in: object space, any length, on the viewer's side;
                                    // out: world space, unit
   float texcoord[2][padded] = {};  // 0 where the mesh has none
   float texcoord_dx[2][padded] = {}, texcoord_dy[2][padded] = {};  // if with_derivatives
   bool with_derivatives = false;  // the points are pixels whose FragmentSpan has them
-  float colour[3][padded] = {};   // the vertex colour, linear; 1 where the mesh has none
+  alignas(cache_line) float colour[3][padded] =
+      {};                         // the vertex colour, linear; 1 where the mesh has none
   float tangent[3][padded] = {};  // in: the mesh's, if follows_texcoord(), any length;
                                   // out: world space, unit, perpendicular to normal
   // What evaluate_parameters() fills; kept from span to span.
@@ -96,7 +97,7 @@ class RunAttribute {
     }
   }
 
-  float corners_[3][FragmentSpan::padded][4];
+  alignas(cache_line) float corners_[3][FragmentSpan::padded][4];
   FragmentSpan::PerRun a0_[3], d1_[3], d2_[3];
 };
 

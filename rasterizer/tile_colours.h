@@ -42,8 +42,8 @@ class TileColours {
   bool floats_ = false;  // the framebuffer's colours are
   Rect tile_{}, touched_{};
   ColourTarget target_;
-  std::vector<std::uint8_t> background_;  // a row of the tile, as the framebuffer stores it
-  std::vector<std::uint8_t> codes_;
+  AlignedVector<std::uint8_t> background_;  // a row of the tile, as the framebuffer stores it
+  AlignedVector<std::uint8_t> codes_;
   std::vector<float> sums_;
 };
 
