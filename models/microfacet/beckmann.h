@@ -66,7 +66,8 @@ struct Beckmann {
       return T(peak()) * normal_slopes(n_h, Batch(1 / (roughness.m * roughness.m)));
     // At N.H = 0, 0/0 without the bound. There exp(-1e12) makes 0 of it all.
     const T cos2 = max(n_h.cos * n_h.cos, T(1e-12));
-    return T(peak()) * exp(-roughness.scaled_sin2(n_h, h) / cos2) / (cos2 * cos2);
+    const T inverse = reciprocal(cos2);
+    return T(peak()) * exp(-roughness.scaled_sin2(n_h, h) * inverse) * (inverse * inverse);
   }
 
   template <class T>

@@ -20,7 +20,7 @@ namespace scanlit::models::microfacet {
 /// N.H < 0 is for a viewer below the surface; at V.H = 0, where l = -v, 0/0 without the bound.
 template <class T>
 T v_cavity(const Cosines<T>& c) {
-  const T scale = T(2) * max(c.n_h.cos, T(0)) / max(c.v_h, T(1e-20));
+  const T scale = T(2) * max(c.n_h.cos, T(0)) * reciprocal(max(c.v_h, T(1e-20)));
   return min(T(1), scale * min(c.n_v, c.n_l));
 }
 

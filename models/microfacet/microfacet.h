@@ -28,7 +28,7 @@ struct Microfacet : Masking<P>, Fresnel<P> {
     const T D = this->D(c, f);  // 1/sr
     const T G = this->G(c, f);
     const Rgb<T> F = this->F(c.v_h);
-    return {.diffuse = kd * c.n_l, .glossy = ks * (F * (scale * D * G / c.n_v))};
+    return {.diffuse = kd * c.n_l, .glossy = ks * (F * (scale * D * G * reciprocal(c.n_v)))};
   }
 };
 
