@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "rasterizer/aligned_vector.h"
+
 namespace scanlit {
 
 constexpr int max_framebuffer_size = 16384;   // per side, in pixels
@@ -38,8 +40,8 @@ struct Framebuffer {
   // Which frame it holds, as a number that no other frame of this process has; 0: none.
   std::uint64_t frame = 0;
   ColourFormat format = ColourFormat::linear_float;
-  std::vector<float> colour;        // RGBA, linear, premultiplied; alpha is the covered share 0..1
-  std::vector<std::uint8_t> rgba8;  // the same in 8 bits, instead of colour; alpha is linear
+  std::vector<float> colour;  // RGBA, linear, premultiplied; alpha is the covered share 0..1
+  AlignedVector<std::uint8_t> rgba8;  // the same in 8 bits, instead of colour; alpha is linear
   std::vector<float> depth;
   std::vector<float> normal;  // xyz
   std::vector<std::uint32_t> object_id, triangle_id;

@@ -26,6 +26,15 @@ void stream(const std::uint8_t* from, std::size_t size, std::uint8_t* to) {
   std::memcpy(to, from, std::size_t(end - to));
 }
 
+/// Widened, so that a line of 8-bit pixels comes from one place as a whole: parts of it would be
+/// written by way of the caches, and everything after them would wait.
+Rect in_whole_lines(const Rect& touched, const Rect& tile) {
+  constexpr int pixels = int(cache_line) / 4;
+  const int begin = touched.x_begin - tile.x_begin, end = touched.x_end - tile.x_begin;
+  return {tile.x_begin + begin / pixels * pixels, touched.y_begin,
+          std::min(tile.x_begin + (end + pixels - 1) / pixels * pixels, tile.x_end), touched.y_end};
+}
+
 }  // namespace
 
 void put_behind(std::span<float> rgba, const Rgb<double>& background) {
@@ -37,7 +46,7 @@ void put_behind(std::span<float> rgba, const Rgb<double>& background) {
 
 ColourTarget TileColours::begin(const Frame& frame, const Rect& tile, const Rect& touched,
                                 Framebuffer& f) {
-  frame_ = &frame, f_ = &f, tile_ = tile, touched_ = touched;
+  frame_ = &frame, f_ = &f, tile_ = tile, touched_ = in_whole_lines(touched, tile);
   floats_ = f.format == ColourFormat::linear_float;
   make_background();
   const auto width = std::size_t(tile.x_end - tile.x_begin);
@@ -55,8 +64,8 @@ ColourTarget TileColours::begin(const Frame& frame, const Rect& tile, const Rect
     // The end of a run may be stored as a whole vector (SpanShader::write_runs).
     codes_.resize(size + 4 * max_lanes), target_.codes = codes_.data();
   }
-  const auto count = std::size_t(touched.x_end - touched.x_begin);
-  for (int y = touched.y_begin; y < touched.y_end; ++y) {
+  const auto count = std::size_t(touched_.x_end - touched_.x_begin);
+  for (int y = touched_.y_begin; y < touched_.y_end; ++y) {
     if (sums)
       std::fill_n(linear_row(y), 4 * count, 0.0f);
     else

@@ -3,12 +3,12 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
+#include "rasterizer/aligned_vector.h"
 
 namespace scanlit::bench {
 
 /// RGBA, 8 bits each, row 0 on top.
-using Picture = std::vector<std::uint8_t>;
+using Picture = AlignedVector<std::uint8_t>;
 
 /// Of several pictures the worst of each figure; `covered` is the first one's.
 struct PictureDifference {

@@ -131,7 +131,7 @@ TEST(PixelCodes, OfAPictureAreThoseOfItsFloats) {
         std::ranges::fill(floats.colour, 77.0f), std::ranges::fill(codes.rgba8, 77);
         render(scene, Camera(), settings, floats);
         render(scene, Camera(), settings, codes);
-        std::vector<std::uint8_t> expected(floats.colour.size());
+        AlignedVector<std::uint8_t> expected(floats.colour.size());
         PixelEncoder(format).row(floats.colour, expected.data());
         EXPECT_EQ(codes.rgba8, expected) << samples << ' ' << int(format);
         const EightBitEncoder encoder = encoder_of(format);
