@@ -12,7 +12,8 @@ namespace scanlit {
 
 constexpr float infinite = 1e30f;  // beyond every depth, and every edge function
 
-/// The greatest depth that a triangle's fragments have in blocks of pixels.
+/// The greatest depth that a triangle's fragments have in blocks of pixels. Of one whose depths are
+/// the opposite, the opposite of its least depth.
 class GreatestDepth {
  public:
   /// In the blocks of `width` x `height` pixels to the right of and below pixel (x, y).
@@ -35,7 +36,9 @@ class GreatestDepth {
     first_ = float(corner);
     per_column_ = float(per_x * width);
     per_row_ = float(per_y * height);
-    margin_ = 0x1p-20f * nearest_;
+    const float largest =
+        std::max(std::abs(a.depth), std::max(std::abs(b.depth), std::abs(c.depth)));
+    margin_ = 0x1p-20f * largest;
   }
 
   /// In `lanes` blocks from column `column` on.

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "rasterizer/coarse_depth.h"
 #include "rasterizer/parallel.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/triangle_culling.h"
@@ -16,19 +15,14 @@ void Occlusion::reset(const Frame& frame) {
   least_.assign(std::size_t(columns_) * std::size_t(rows), 0.0f);
 }
 
-void Occlusion::put(const VisibilityTile& tile) {
-  // Blocks that triangles may touch in part alone are left at 0, as are those of the picture's
-  // edge.
-  const Rect& in = tile.touched;
-  const int first_column = (in.x_begin + block_width - 1) / block_width,
-            end_column = in.x_end / block_width;
-  for (int y = (in.y_begin + block_height - 1) / block_height * block_height;
-       y + block_height <= in.y_end; y += block_height)
-    for (int column = first_column; column < end_column; ++column) {
-      const int x = column * block_width;
-      least_[std::size_t(y / block_height * columns_ + column)] =
-          least_depth({x, y, x + block_width, y + block_height}, tile);
-    }
+void Occlusion::put(const Rect& tile, const OccluderDepth& occluders) {
+  const int first_column = tile.x_begin / block_width, first_row = tile.y_begin / block_height;
+  const int end_column = (tile.x_end + block_width - 1) / block_width,
+            end_row = (tile.y_end + block_height - 1) / block_height;
+  for (int row = first_row; row < end_row; ++row)
+    for (int column = first_column; column < end_column; ++column)
+      least_[std::size_t(row * columns_ + column)] =
+          occluders.least(column - first_column, row - first_row);
 }
 
 bool Occlusion::hides(const ScreenBounds& bounds) const {
@@ -63,6 +57,23 @@ bool choose_occluders(Frame& frame) {
   return pays;
 }
 
+/// Those of a tile.
+void add_occluders(const Frame& frame, int tile, OccluderDepth& occluders) {
+  for (const Chunk& chunk : frame.chunks) {
+    const int i = tile - chunk.first_tile;
+    if (i < 0 || i >= int(chunk.bins.size())) continue;
+    const Bin& bin = chunk.bins[std::size_t(i)];
+    for (const BinEntry& entry : std::span(chunk.entries).subspan(bin.begin, bin.end - bin.begin))
+      for (const DrawnTriangle& drawn :
+           std::span(chunk.triangles).subspan(entry.begin, entry.end - entry.begin)) {
+        const auto& v = drawn.vertices;
+        if (cull(screen_triangle(v[0], v[1], v[2]), *chunk.draw, frame.viewport,
+                 frame.settings.samples) == Fate::drawn)
+          occluders.add(drawn);
+      }
+  }
+}
+
 }  // namespace
 
 void find_hidden(Frame& frame, Workers& workers, Occlusion& occlusion) {
@@ -77,11 +88,9 @@ void find_hidden(Frame& frame, Workers& workers, Occlusion& occlusion) {
   parallel(std::size_t(frame.grid.count()), [&](std::size_t i) {
     Worker& worker = workers.local();
     const StageTimer timer(worker.shader.stats, Stage::scan_conversion);
-    FrameStats not_counted;  // these triangles are going to be drawn again
-    worker.triangles.gather(frame, int(i), worker.visibility);
-    worker.triangles.scan_convert_all(frame, worker.visibility, not_counted,
-                                      [](TriangleId, const VisibleColumns*) {});
-    occlusion.put(worker.visibility);
+    worker.occluders.reset(frame.grid.tile(int(i)), frame.settings.samples);
+    add_occluders(frame, int(i), worker.occluders);
+    occlusion.put(frame.grid.tile(int(i)), worker.occluders);
   });
   parallel(frame.draws.size(), [&](std::size_t i) {
     Draw& draw = frame.draws[i];

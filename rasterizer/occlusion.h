@@ -1,12 +1,13 @@
 // (6) Which clusters lie behind a few large triangles, as furniture does behind walls: their
 // vertices need not even be transformed.
 //
-// Before the rest is assembled, those few triangles (the occluders) are scan-converted alone. Of
-// each block of pixels the least depth is kept; what is farther in all blocks that it can touch is
-// hidden, whatever is drawn later, because depth only grows.
+// Before the rest is assembled, those few triangles (the occluders) are asked what they cover. Of
+// each block of pixels the least depth is kept (occluder_depth.h); what is farther in all blocks
+// that it can touch is hidden, whatever is drawn later, because depth only grows.
 #pragma once
 
 #include "rasterizer/cluster_culling.h"
+#include "rasterizer/occluder_depth.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/tile.h"
 
@@ -16,13 +17,14 @@ class Occlusion {
  public:
   /// Nothing is hidden.
   void reset(const Frame& frame);
-  /// Once all occluders were scan-converted in a tile. Of several tiles at a time.
-  void put(const VisibilityTile& tile);
+  /// What a tile's occluders cover. Of several tiles at a time.
+  void put(const Rect& tile, const OccluderDepth& occluders);
 
   bool hides(const ScreenBounds& bounds) const;
 
  private:
-  static constexpr int block_width = 16, block_height = 8;  // tiles consist of whole ones
+  // Tiles consist of whole ones.
+  static constexpr int block_width = OccluderBlock::width, block_height = OccluderBlock::height;
 
   Rect picture_{};
   int columns_ = 0;

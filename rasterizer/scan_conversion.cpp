@@ -165,23 +165,16 @@ void scan_convert(TriangleId id, VisibilityTile& visibility, const VisibleColumn
   const DrawnTriangle& record = *visibility.triangles[id];
   const auto offsets = sample_offsets(visibility.samples);
   const auto& v = record.vertices;
-  ScreenTriangle triangle = screen_triangle(v[0], v[1], v[2]);
-  const auto draw_sample = [&](int sample) {
+  const ScreenTriangle triangle = screen_triangle(v[0], v[1], v[2]);
+  const auto draw_sample = [&](const ScreenTriangle& seen, int sample) {
     const std::size_t row = visibility.row(sample, visibility.rect.y_begin);
-    draw(triangle, {visibility.triangles, id},
+    draw(seen, {visibility.triangles, id},
          {visibility.rect, visibility.depth.data() + row, visibility.triangle.data() + row,
           visibility.stride, columns});
   };
-  if (visibility.samples == 1) return draw_sample(0);
-  // Moving the triangle by minus the offset puts the sample where the centre was.
-  SampleOffset moved{0, 0};
-  for (int sample = 0; sample < visibility.samples; ++sample) {
-    const SampleOffset& to = offsets[std::size_t(sample)];
-    for (ScreenVertex& vertex : triangle.vertices)
-      vertex.x += moved.x - to.x, vertex.y += moved.y - to.y;
-    moved = to;
-    draw_sample(sample);
-  }
+  if (visibility.samples == 1) return draw_sample(triangle, 0);
+  for (int sample = 0; sample < visibility.samples; ++sample)
+    draw_sample(moved(triangle, offsets[std::size_t(sample)]), sample);
 }
 
 }  // namespace scanlit

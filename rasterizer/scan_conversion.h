@@ -24,6 +24,12 @@ inline Rect centre_bounds(const ScreenTriangle& triangle) {
   return {(x_min + up) >> 8, (y_min + up) >> 8, (x_max + up) >> 8, (y_max + up) >> 8};
 }
 
+/// By minus an offset: a sample lies there where its pixel's centre was.
+inline ScreenTriangle moved(ScreenTriangle triangle, const SampleOffset& offset) {
+  for (ScreenVertex& vertex : triangle.vertices) vertex.x -= offset.x, vertex.y -= offset.y;
+  return triangle;
+}
+
 inline std::int64_t floor_divide(std::int64_t a, std::int64_t positive) {
   const std::int64_t q = a / positive;
   return q - (a % positive < 0);

@@ -3,6 +3,7 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
+#include "rasterizer/occluder_depth.h"
 #include "rasterizer/pipeline.h"
 #include "rasterizer/resolve.h"
 #include "rasterizer/reuse.h"
@@ -15,6 +16,7 @@ namespace scanlit {
 /// What a thread keeps from tile to tile.
 struct Worker {
   TileTriangles triangles;
+  OccluderDepth occluders;
   VisibilityTile visibility;
   SpanCollector collector;
   SpanShader shader;
