@@ -6,6 +6,7 @@
 #include "rasterizer/cluster_culling.h"
 #include "rasterizer/occlusion.h"
 #include "rasterizer/shading.h"
+#include "rasterizer/site_finder.h"
 #include "rasterizer/stage_timer.h"
 #include "rasterizer/triangle_culling.h"
 
@@ -35,6 +36,7 @@ class Assembler {
     binner_.begin_chunk(frame_.grid);
     const auto& clusters = draw_.clusters->clusters;
     for (std::uint32_t i = chunk_.first_cluster; i < chunk_.end_cluster; ++i) add(clusters[i]);
+    sites_.end_chunk();
     binner_.end_chunk(chunk_);
   }
 
@@ -65,8 +67,7 @@ class Assembler {
     for (int i = 0; i < 3; ++i) corners_[i] = &draw_.clusters->corners[i][cluster.first_triangle];
     numbers_ = &draw_.clusters->triangles[cluster.first_triangle];
     binner_.begin_cluster();
-    if (shading_ == Shading::gouraud)
-      for (auto& side : site_of_) std::fill_n(side, cluster.vertex_count, no_site);
+    sites_.begin_cluster(cluster);
     transform_vertices(draw_, cluster, frame_.viewport, vertices_);
     counts.vertices += cluster.vertex_count;
     if (vertices_.any_outcode == 0 && skips().clip_tests && skips().unseen_triangles)
@@ -96,26 +97,41 @@ class Assembler {
       count(add_whole(screen(culled_.large[i]), culled_.large[i], DrawnTriangle::not_cut));
   }
 
-  /// Most clusters lie in one tile: their triangles need not be looked at one by one.
+  /// Triangles that lie in one tile go there together: most clusters do as a whole.
   void add_drawn() {
-    const Rect box = intersection(culled_.box, picture_rect(frame_.viewport));
-    const bool in_one_tile = binner_.in_one_tile(box);
-    const auto begin = std::uint32_t(chunk_.triangles.size());
-    for (int i = 0; i < culled_.drawn_count; ++i) {
-      const ScreenTriangle t = screen(culled_.drawn[i]);
-      record(t, culled_.drawn[i], DrawnTriangle::not_cut);
-      if (!in_one_tile) place(t);
-    }
-    const auto end = std::uint32_t(chunk_.triangles.size());
-    if (in_one_tile) binner_.add({begin, end, vertices_.nearest, box, culled_.pixels});
+    const TileGrid& grid = frame_.grid;
+    const Rect& box = culled_.box;
+    TilesOfTriangles tiles(culled_, grid);
+    for (int row = grid.row(box.y_begin); row <= grid.row(box.y_end - 1); ++row)
+      for (int column = grid.column(box.x_begin); column <= grid.column(box.x_end - 1); ++column) {
+        const auto begin = std::uint32_t(chunk_.triangles.size());
+        record_drawn(tiles.in(row * grid.columns + column));
+        const auto end = std::uint32_t(chunk_.triangles.size());
+        if (begin == end) continue;
+        const auto share = double(end - begin) / culled_.drawn_count;
+        binner_.add({begin, end, vertices_.nearest, intersection(box, grid.tile(column, row)),
+                     std::int32_t(culled_.pixels * share)});
+      }
+    const auto places = tiles.in(TilesOfTriangles::several);
+    const auto first = std::uint32_t(chunk_.triangles.size());
+    record_drawn(places);
+    for (std::uint32_t k = 0; k < places.size(); ++k) place(first + k, culled_.box_of(places[k]));
   }
 
   /// A triangle, or a piece of one, that need not be cut.
   Fate add_whole(const ScreenTriangle& t, int local, std::uint32_t piece) {
     const Fate fate = cull(t, draw_, frame_.viewport, frame_.settings.samples);
     if (fate == Fate::drawn || !skips().unseen_triangles) {
-      record(t, local, piece);
-      place(t);
+      const bool behind = (t.twice_area < 0) != draw_.mirrored;
+      record(t.vertices[0], t.vertices[1], t.vertices[2], local, piece,
+             *appended(chunk_.triangles, 1));
+      sites_.add(
+          1, [&](std::size_t) { return local; }, [&](std::size_t) { return behind; });
+      // What hits no sample position and was not dropped has a place all the same: its box's
+      // pixels.
+      const int samples = skips().unseen_triangles ? frame_.settings.samples : 0;
+      place(std::uint32_t(chunk_.triangles.size() - 1),
+            intersection(pixel_bounds(t, samples), picture_rect(frame_.viewport)));
     }
     return fate;
   }
@@ -171,49 +187,38 @@ class Assembler {
                            v[local_vertex(local, 2)]);
   }
 
-  /// The triangle, or piece, is to be scan-converted.
-  void record(const ScreenTriangle& t, int local, std::uint32_t piece) {
+  /// Of the triangles that are drawn, those at these places are to be scan-converted.
+  void record_drawn(std::span<const std::int32_t> places) {
+    const auto local = [&](std::size_t i) { return culled_.drawn[places[i]]; };
+    const auto vertex = [&](std::size_t i, int corner) -> const ScreenVertex& {
+      return vertices_.screen[local_vertex(local(i), corner)];
+    };
+    DrawnTriangle* const drawn = appended(chunk_.triangles, places.size());
+    for (std::size_t i = 0; i < places.size(); ++i)
+      record(vertex(i, 0), vertex(i, 1), vertex(i, 2), local(i), DrawnTriangle::not_cut, drawn[i]);
+    sites_.add(places.size(), local,
+               [&](std::size_t i) { return culled_.from_behind[places[i]] != 0; });
+  }
+
+  void record(const ScreenVertex& a, const ScreenVertex& b, const ScreenVertex& c, int local,
+              std::uint32_t piece, DrawnTriangle& drawn) const {
     // Vertex by vertex into its place: 16 bytes at once.
-    DrawnTriangle& drawn = chunk_.triangles.emplace_back();
-    drawn.vertices[0] = t.vertices[0];
-    drawn.vertices[1] = t.vertices[1];
-    drawn.vertices[2] = t.vertices[2];
+    drawn.vertices[0] = a;
+    drawn.vertices[1] = b;
+    drawn.vertices[2] = c;
     drawn.draw = draw_.index;
     drawn.triangle = numbers_[local];
     drawn.chunk = chunk_.index;
     drawn.piece = piece;
-    const bool behind = (t.twice_area < 0) != draw_.mirrored;
-    if (shading_ == Shading::flat)
-      chunk_.lit.sites.push_back({drawn.triangle, behind});
-    else if (shading_ == Shading::gouraud)
-      for (int corner = 0; corner < 3; ++corner)
-        chunk_.lit.corners.push_back(
-            std::uint16_t(vertex_site(local_vertex(local, corner), behind)));
   }
 
-  /// Into its tiles goes the triangle that was recorded last.
-  void place(const ScreenTriangle& t) {
-    // What hits no sample position and was not dropped has a place all the same: its box's pixels.
-    const int samples = skips().unseen_triangles ? frame_.settings.samples : 0;
-    const Rect r = intersection(pixel_bounds(t, samples), picture_rect(frame_.viewport));
-    if (r.empty()) return;
-    const float nearest = std::max({t.vertices[0].depth, t.vertices[1].depth, t.vertices[2].depth});
-    const auto end = std::uint32_t(chunk_.triangles.size());
-    binner_.add({end - 1, end, nearest, r, std::int32_t(area(r))});
+  /// Into its tiles goes a triangle of the chunk.
+  void place(std::uint32_t number, const Rect& pixels) {
+    if (pixels.empty()) return;
+    const auto& [a, b, c] = chunk_.triangles[number].vertices;
+    const float nearest = std::max({a.depth, b.depth, c.depth});
+    binner_.add({number, number + 1, nearest, pixels, std::int32_t(area(pixels))});
   }
-
-  /// The site of a vertex of the present cluster: made when first asked for.
-  std::uint32_t vertex_site(std::uint32_t local, bool behind) {
-    std::uint32_t& site = site_of_[behind][local];
-    if (site == no_site) {
-      site = std::uint32_t(chunk_.lit.sites.size());
-      const std::uint32_t v = draw_.clusters->vertices[cluster_->first_vertex + local];
-      chunk_.lit.sites.push_back({v, behind});
-    }
-    return site;
-  }
-
-  static constexpr std::uint32_t no_site = 0xffffffffu;
 
   const Frame& frame_;
   const Draw& draw_;
@@ -222,13 +227,12 @@ class Assembler {
   CulledCluster& culled_;
   Binner& binner_;
   ClusterCuller culler_;
-  Shading shading_ = draw_.object->shading;
+  SiteFinder sites_{draw_, chunk_.lit};
   // Of the present cluster: its triangles' corners, as numbers of its vertices, and their numbers
   // in the mesh.
   const Cluster* cluster_ = nullptr;
   const std::uint8_t* corners_[3]{};
   const std::uint32_t* numbers_ = nullptr;
-  std::uint32_t site_of_[2][ClusterVertices::capacity];
 };
 
 /// A chunk of an object that lies outside of the view, or is hidden.

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "rasterizer/batch.h"
+#include "rasterizer/compress.h"
 #include "rasterizer/scan_conversion.h"
 
 namespace scanlit {
@@ -77,7 +78,8 @@ void cull_cluster(const Draw& draw, const Cluster& cluster, const ClusterVertice
   const auto past = hn::Set(ints, samples == 1 ? 0 : 1);
   const auto width = hn::Set(ints, viewport.width), height = hn::Set(ints, viewport.height);
   const auto largest = hn::Set(ints, std::numeric_limits<std::int32_t>::max());
-  IntVector least_x = largest, least_y = largest, end_x = zero, end_y = zero, pixels = zero;
+  IntVector least_x = largest, least_y = largest, most_x = zero, most_y = zero, pixels = zero;
+  const auto mirrored = hn::Set(ints, draw.mirrored ? -1 : 0);
 
   for (int k = 0; k < count; k += lanes) {
     const std::size_t first = cluster.first_triangle + std::size_t(k);
@@ -121,19 +123,54 @@ void cull_cluster(const Draw& draw, const Cluster& cluster, const ClusterVertice
                   hn::And(covers(b, c, px, py, flip), covers(c, a, px, py, flip)));
       drop(hn::AndNot(covered, single), result.no_pixel);
     }
-    least_x = hn::Min(least_x, hn::IfThenElse(left, x0, largest));
-    least_y = hn::Min(least_y, hn::IfThenElse(left, y0, largest));
-    end_x = hn::Max(end_x, hn::IfThenElseZero(left, x1));
-    end_y = hn::Max(end_y, hn::IfThenElseZero(left, y1));
-    const auto box_pixels = hn::Mul(hn::Sub(x1, x0), hn::Sub(y1, y0));
+    const auto x_begin = hn::Max(x0, zero), x_end = hn::Min(x1, width);
+    const auto y_begin = hn::Max(y0, zero), y_end = hn::Min(y1, height);
+    least_x = hn::Min(least_x, hn::IfThenElse(left, x_begin, largest));
+    least_y = hn::Min(least_y, hn::IfThenElse(left, y_begin, largest));
+    most_x = hn::Max(most_x, hn::IfThenElseZero(left, x_end));
+    most_y = hn::Max(most_y, hn::IfThenElseZero(left, y_end));
+    const auto box_pixels = hn::Mul(hn::Sub(x_end, x_begin), hn::Sub(y_end, y_begin));
     pixels = hn::Add(pixels, hn::IfThenElseZero(left, box_pixels));
-    for_each_lane(left,
-                  [&](int lane) { result.drawn[result.drawn_count++] = std::uint8_t(k + lane); });
+    const auto store = [&](IntVector v, CulledCluster::Numbers& to) {
+      hn::StoreU(compressed(v, left), ints, to + result.drawn_count);
+    };
+    store(hn::Iota(ints, k), result.drawn);
+    store(hn::Xor(hn::ShiftRight<31>(area), mirrored), result.from_behind);
+    store(x_begin, result.x_begin), store(x_end, result.x_end);
+    store(y_begin, result.y_begin), store(y_end, result.y_end);
+    result.drawn_count += int(hn::CountTrue(ints, left));
   }
   const auto lane = [](IntVector v) { return int(hn::GetLane(v)); };
   result.box = {lane(hn::MinOfLanes(ints, least_x)), lane(hn::MinOfLanes(ints, least_y)),
-                lane(hn::MaxOfLanes(ints, end_x)), lane(hn::MaxOfLanes(ints, end_y))};
+                lane(hn::MaxOfLanes(ints, most_x)), lane(hn::MaxOfLanes(ints, most_y))};
   result.pixels = lane(hn::SumOfLanes(ints, pixels));
+}
+
+TilesOfTriangles::TilesOfTriangles(const CulledCluster& culled, const TileGrid& grid)
+    : count_(culled.drawn_count) {
+  const auto one = hn::Set(ints, 1), columns = hn::Set(ints, grid.columns);
+  const auto in_x = [&](IntVector x) { return hn::ShiftRightSame(x, grid.width_shift); };
+  const auto in_y = [&](IntVector y) { return hn::ShiftRightSame(y, grid.height_shift); };
+  for (int i = 0; i < count_; i += lanes) {
+    const auto load = [i](const CulledCluster::Numbers& v) { return hn::LoadU(ints, v + i); };
+    const auto column = in_x(load(culled.x_begin)), row = in_y(load(culled.y_begin));
+    const auto last_column = in_x(hn::Sub(load(culled.x_end), one));
+    const auto last_row = in_y(hn::Sub(load(culled.y_end), one));
+    const auto in_one = hn::And(hn::Eq(column, last_column), hn::Eq(row, last_row));
+    const auto tile = hn::Add(hn::Mul(row, columns), column);
+    hn::StoreU(hn::IfThenElse(in_one, tile, hn::Set(ints, several)), ints, tile_ + i);
+  }
+}
+
+std::span<const std::int32_t> TilesOfTriangles::in(int tile) {
+  std::size_t found = 0;
+  for (int i = 0; i < count_; i += lanes) {
+    const IntMask there = hn::Lt(hn::Iota(ints, i), hn::Set(ints, count_));
+    const IntMask mask = hn::And(there, hn::Eq(hn::LoadU(ints, tile_ + i), hn::Set(ints, tile)));
+    hn::StoreU(compressed(hn::Iota(ints, i), mask), ints, found_ + found);
+    found += hn::CountTrue(ints, mask);
+  }
+  return {found_, found};
 }
 
 }  // namespace scanlit

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 
 #include "rasterizer/scan_conversion.h"
 
@@ -33,14 +34,34 @@ Fate cull(const ScreenTriangle& triangle, const Draw& draw, const Viewport& view
 /// The triangles of a cluster, by their numbers in it.
 struct CulledCluster {
   static constexpr int capacity = ClusterVertices::capacity;
+  static constexpr int padded = capacity + int(max_lanes);
+  using Numbers = std::int32_t[padded];
 
-  std::uint8_t drawn[capacity];  // these are drawn
+  Numbers drawn;  // these are drawn
   int drawn_count = 0;
+  Numbers from_behind;                     // of each of them: not 0 where it faces away
+  Numbers x_begin, y_begin, x_end, y_end;  // and the pixels of the picture that it may touch
   std::uint8_t large[capacity];  // these want cull(): their coordinates' products leave 32 bits
   int large_count = 0;
   int outside = 0, no_pixel = 0, back_facing = 0;
-  Rect box;             // of those that are drawn: their pixel_bounds, united
+  Rect box;             // of those that are drawn: all that they may touch
   std::int32_t pixels;  // in their boxes, summed
+
+  Rect box_of(std::int32_t i) const { return {x_begin[i], y_begin[i], x_end[i], y_end[i]}; }
+};
+
+/// The drawn triangles of a cluster, tile by tile.
+class TilesOfTriangles {
+ public:
+  TilesOfTriangles(const CulledCluster& culled, const TileGrid& grid);
+
+  static constexpr int several = -1;
+  /// Those that lie in this tile, or in `several`, as places in CulledCluster::drawn.
+  std::span<const std::int32_t> in(int tile);
+
+ private:
+  int count_;
+  CulledCluster::Numbers tile_, found_;
 };
 
 /// All triangles of a cluster none of whose vertices is outside of anything: whole vectors of them,
