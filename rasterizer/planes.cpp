@@ -7,6 +7,7 @@
 #include <cstring>
 
 #include "rasterizer/corner_vectors.h"
+#include "rasterizer/quads.h"
 
 namespace scanlit {
 
@@ -40,13 +41,6 @@ void TrianglePlanes::put(const Frame& frame, const VisibilityTile& visibility, F
     copy_corners(frame, visibility, span, count);
     make(frame, span, count, first);
   }
-  const std::int32_t* const numbers = number_.data();
-  const int base = base_, runs = span.run_count;
-  for (int r = 0; r < runs; ++r) {
-    const int i = numbers[span.triangle[r]] - base;
-    of_run_[0][r] = at_origin_[i], of_run_[1][r] = per_column_[i];
-    of_run_[2][r] = per_row_[i], of_run_[3][r] = origin_[i];
-  }
   put_rows(span);
 }
 
@@ -58,9 +52,12 @@ int TrianglePlanes::number(const FragmentSpan& span) {
   for (int r = 0; r < span.run_count; ++r) {  // whether one is new cannot be foreseen: no branch
     const TriangleId id = span.triangle[r];
     const std::int32_t number = numbers[id];
+    const bool is_new = number < base;
+    const std::int32_t now = is_new ? next + count : number;
     new_[count] = id;
-    numbers[id] = number < base ? next + count : number;
-    count += number < base;
+    numbers[id] = now;
+    place_[r] = now - base;
+    count += is_new;
   }
   next_ += count;
   return count;
@@ -164,11 +161,12 @@ void TrianglePlanes::make(const Frame& frame, const FragmentSpan& span, int coun
 void TrianglePlanes::put_rows(FragmentSpan& span) {
   const hn::RebindToUnsigned<Batch::Tag> unsigneds;
   for (int r = 0; r < span.run_count; r += Batch::lanes) {
-    const auto load = [&](int part, Batch(&v)[4]) {
-      hn::LoadInterleaved4(Batch::tag, of_run_[part][r].v, v[0].raw, v[1].raw, v[2].raw, v[3].raw);
+    const auto load = [&](const Quad* quads, Batch(&v)[4]) {
+      load_quads([&](int lane) { return quads[place_[r + lane]].v; }, v);
     };
     Batch at_origin[4], per_column[4], per_row[4], origin[4];
-    load(0, at_origin), load(1, per_column), load(2, per_row), load(3, origin);
+    load(at_origin_, at_origin), load(per_column_, per_column);
+    load(per_row_, per_row), load(origin_, origin);
     const auto pixel = hn::LoadU(unsigneds, span.first_pixel + r);
     const Batch row = hn::ConvertTo(Batch::tag, hn::BitCast(ints, hn::ShiftRight<16>(pixel)));
     const Batch rows = row - origin[1];

@@ -46,7 +46,7 @@ class TrianglePlanes {
   Quad values_[3][FragmentSpan::padded];
   float cut_[FragmentSpan::padded];
 
-  Quad of_run_[4][FragmentSpan::padded];
+  std::int32_t place_[FragmentSpan::padded]{};  // of each run's triangle, where the planes are
 };
 
 /// A span's planes at a vector of fragments, from fragment i on.
