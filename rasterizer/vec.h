@@ -4,6 +4,8 @@
 // may be a hardware vector.
 #pragma once
 
+#include "rasterizer/scalar_math.h"
+
 namespace scanlit {
 
 /// A direction or position. Which space it is in, the variable's name says.
@@ -21,7 +23,7 @@ struct Vec3 {
 
 template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
-  return a.x * b.x + a.y * b.y + a.z * b.z;
+  return mul_add(a.z, b.z, mul_add(a.y, b.y, a.x * b.x));
 }
 
 template <class T>
