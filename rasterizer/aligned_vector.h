@@ -1,14 +1,18 @@
-// Vectors whose elements begin at a line of the cache: processors take twice as long to load or
-// store a vector that lies in two lines.
+// Vectors for what is much read and written: their elements begin at a line of the cache, for
+// processors take twice as long over a vector that lies in two lines, and large ones lie in huge
+// pages, of whose addresses a processor remembers more.
 #pragma once
 
 #include <cstddef>
-#include <new>
 #include <vector>
 
 namespace scanlit {
 
 constexpr std::size_t cache_line = 64;  // bytes
+
+/// Throws std::bad_alloc.
+void* allocate_lines(std::size_t bytes);
+void free_lines(void* lines, std::size_t bytes);
 
 template <class T>
 struct LineAllocator {
@@ -18,10 +22,8 @@ struct LineAllocator {
   template <class U>
   LineAllocator(const LineAllocator<U>&) {}
 
-  T* allocate(std::size_t count) {
-    return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t(cache_line)));
-  }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t(cache_line)); }
+  T* allocate(std::size_t count) { return static_cast<T*>(allocate_lines(count * sizeof(T))); }
+  void deallocate(T* p, std::size_t count) { free_lines(p, count * sizeof(T)); }
 
   friend bool operator==(const LineAllocator&, const LineAllocator&) { return true; }
 };
