@@ -38,7 +38,7 @@ T unpolarised(const T& c, const T& re, const T& im2, const T& minus) {
   // surface (eta = 1, k = 0). The bound turns 0/0 into 1, the limit of every other index.
   const T bound(1e-30);
   const T numerator = mul_add(minus, minus, im2 + bound) * t;
-  return min(numerator * reciprocal(mul_add(plus, plus, im2 + bound) * t_plus_u), T(1));
+  return min(numerator / (mul_add(plus, plus, im2 + bound) * t_plus_u), T(1));
 }
 
 /// eta and k from 0 to 1e6, not both 0. At normal incidence
