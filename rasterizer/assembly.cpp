@@ -108,9 +108,9 @@ class Assembler {
         record_drawn(tiles.in(row * grid.columns + column));
         const auto end = std::uint32_t(chunk_.triangles.size());
         if (begin == end) continue;
-        const auto share = double(end - begin) / culled_.drawn_count;
+        const auto pixels = std::int64_t(culled_.pixels) * (end - begin) / culled_.drawn_count;
         binner_.add({begin, end, vertices_.nearest, intersection(box, grid.tile(column, row)),
-                     std::int32_t(culled_.pixels * share)});
+                     std::int32_t(pixels)});
       }
     const auto places = tiles.in(TilesOfTriangles::several);
     const auto first = std::uint32_t(chunk_.triangles.size());

@@ -16,13 +16,14 @@ class Binner {
   /// Triangles may touch `entry.touched`, which is not empty and lies in the picture: all of them
   /// go to every tile there.
   void add(const BinEntry& entry);
-  /// Whether a rectangle in the picture lies in one tile.
-  bool in_one_tile(const Rect& pixels) const;
 
   /// Fills the bins and their entries.
   void end_chunk(Chunk& chunk);
 
  private:
+  /// Whether a rectangle in the picture lies in one tile.
+  bool in_one_tile(const Rect& pixels) const;
+
   /// What a tile gets of a cluster, before the tiles are in order.
   struct Placed {
     std::uint32_t tile;

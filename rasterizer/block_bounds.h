@@ -1,4 +1,4 @@
-// (7) What one triangle may do in blocks of pixels: how near it is there, and where it is.
+// (6), (7) What one triangle may do in blocks of pixels: how near it is there, and where it is.
 #pragma once
 
 #include <algorithm>
@@ -12,8 +12,8 @@ namespace scanlit {
 
 constexpr float infinite = 1e30f;  // beyond every depth, and every edge function
 
-/// The greatest depth that a triangle's fragments have in blocks of pixels. Of one whose depths are
-/// the opposite, the opposite of its least depth.
+/// The greatest depth that a triangle's fragments have in blocks of pixels. With all depths negated
+/// it is the least depth, negated (OccluderDepth::add).
 class GreatestDepth {
  public:
   /// In the blocks of `width` x `height` pixels to the right of and below pixel (x, y).

@@ -8,6 +8,9 @@
 
 namespace scanlit {
 
+namespace {
+
+/// The least depth of any sample of `pixels`, which are not empty and within tile.touched.
 float least_depth(const Rect& pixels, const VisibilityTile& tile) {
   Batch least(infinite);
   for (int x = pixels.x_begin; x < pixels.x_end; x += Batch::lanes) {
@@ -22,6 +25,8 @@ float least_depth(const Rect& pixels, const VisibilityTile& tile) {
   }
   return hn::GetLane(hn::MinOfLanes(Batch::tag, least.raw));
 }
+
+}  // namespace
 
 void CoarseDepth::reset(const VisibilityTile& tile) {
   rect_ = tile.touched;

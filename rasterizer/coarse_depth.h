@@ -75,7 +75,4 @@ class CoarseDepth {
   std::vector<Holes> holes_;
 };
 
-/// The least depth of any sample of `pixels`, which are not empty and within tile.touched.
-float least_depth(const Rect& pixels, const VisibilityTile& tile);
-
 }  // namespace scanlit

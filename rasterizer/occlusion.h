@@ -31,7 +31,7 @@ class Occlusion {
   std::vector<float> least_;  // depth in each block, row by row
 };
 
-/// If it is likely to pay: (3) to (7) of the occluders alone, and what of the other objects they
+/// If it is likely to pay: (3) to (6) of the occluders alone, and what of the other objects they
 /// hide. Clusters can be asked for in frame.occlusion then. Occluders are the objects of one
 /// cluster.
 void find_hidden(Frame& frame, Workers& workers, Occlusion& occlusion);

@@ -9,9 +9,10 @@
 //   (4) clip             clip.cpp           the few triangles that leave the volume    clip
 //   (5) project, snap    vertex_stage.cpp   divide by w, round to 1/256 pixel          screen space
 //   (6) assembly         assembly.cpp       clusters and triangles that cannot be seen screen
-//                                           are dropped (cluster_culling.h, occlusion.h,
-//                                           triangle_culling.h), the rest sorted into tiles
-//                                           (binning.h)
+//                                           are dropped (cluster_culling.h; occlusion.h with
+//                                           occluder_depth.h; triangle_culling.h), the rest sorted
+//                                           into tiles (binning.h); sites to be lit are found
+//                                           (site_finder.h)
 //   (7) scan conversion  scan_conversion.h  which triangle is nearest at each pixel    screen
 //                                           (in which order, and what is hidden:
 //                                           tile_triangles.h, coarse_depth.h; many rows at
@@ -37,7 +38,7 @@
 // Visibility comes first and shading after it, once per visible fragment: what is hidden is never
 // shaded. render.cpp runs (3) to (6) for chunks of clusters, one cluster after the other, and then
 // (7) to (10) for tiles (tile.cpp), both in parallel and small enough to stay in the cache. Where
-// much may be hidden behind a few large triangles, these go through (3) to (7) first. What may
+// much may be hidden behind a few large triangles, these go through (3) to (6) first. What may
 // stand from the last frame, reuse.h says.
 //
 // Conventions, said once:

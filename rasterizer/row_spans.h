@@ -1,4 +1,4 @@
-// (7) The spans of a triangle, for a vector of rows at a time.
+// (6), (7) The spans of a triangle, for a vector of rows at a time.
 #pragma once
 
 #include <limits>

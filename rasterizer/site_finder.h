@@ -1,10 +1,14 @@
 // (6), (9) Assembly: the sites at which the triangles of a flat or a Gouraud object are lit.
 #pragma once
 
+#include <algorithm>
+
 #include "rasterizer/pipeline.h"
 
 namespace scanlit {
 
+/// Makes room for `count` more at once, in which to write them: push_back would ask each time
+/// whether there is room.
 template <class T>
 T* appended(std::vector<T>& to, std::size_t count) {
   to.resize(to.size() + count);

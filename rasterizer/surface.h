@@ -19,16 +19,16 @@ struct SurfaceSpan {
   static constexpr int padded = FragmentSpan::padded;
 
   int size = 0;
-  const std::uint32_t* pixel =
-      nullptr;  // where they are seen, if they are fragments (FragmentSpan)
+  // Where they are seen, if they are fragments (FragmentSpan).
+  const std::uint32_t* pixel = nullptr;
   alignas(cache_line) float position[3][padded] = {};  // object space
   float normal[3][padded] = {};    // in: object space, any length, on the viewer's side;
                                    // out: world space, unit
   float texcoord[2][padded] = {};  // 0 where the mesh has none
   float texcoord_dx[2][padded] = {}, texcoord_dy[2][padded] = {};  // if with_derivatives
   bool with_derivatives = false;  // the points are pixels whose FragmentSpan has them
-  alignas(cache_line) float colour[3][padded] =
-      {};                         // the vertex colour, linear; 1 where the mesh has none
+  // The vertex colour, linear; 1 where the mesh has none.
+  alignas(cache_line) float colour[3][padded] = {};
   float tangent[3][padded] = {};  // in: the mesh's, if follows_texcoord(), any length;
                                   // out: world space, unit, perpendicular to normal
   // What evaluate_parameters() fills; kept from span to span.

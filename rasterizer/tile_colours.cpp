@@ -14,7 +14,7 @@ namespace {
 /// Past the caches: lines that are written whole need not be read first, and nobody reads them
 /// soon.
 void stream(const std::uint8_t* from, std::size_t size, std::uint8_t* to) {
-  constexpr std::size_t line = 64;
+  constexpr std::size_t line = cache_line;
   const hn::ScalableTag<std::uint8_t> bytes;
   std::uint8_t* const end = to + size;
   const auto to_line = std::size_t(-reinterpret_cast<std::uintptr_t>(to) % line);

@@ -33,7 +33,7 @@ Fate cull(const ScreenTriangle& triangle, const Draw& draw, const Viewport& view
 
 /// The triangles of a cluster, by their numbers in it.
 struct CulledCluster {
-  static constexpr int capacity = ClusterVertices::capacity;
+  static constexpr int capacity = Cluster::max_triangles;
   static constexpr int padded = capacity + int(max_lanes);
   using Numbers = std::int32_t[padded];
 
@@ -56,7 +56,8 @@ class TilesOfTriangles {
   TilesOfTriangles(const CulledCluster& culled, const TileGrid& grid);
 
   static constexpr int several = -1;
-  /// Those that lie in this tile, or in `several`, as places in CulledCluster::drawn.
+  /// Those that lie in this tile, or in `several`, as places in CulledCluster::drawn;
+  /// they stand until the next are asked for.
   std::span<const std::int32_t> in(int tile);
 
  private:

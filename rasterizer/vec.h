@@ -21,6 +21,7 @@ struct Vec3 {
   friend bool operator==(const Vec3&, const Vec3&) = default;
 };
 
+/// Fused in vectors, where the processor can: for shading alone.
 template <class T>
 T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return mul_add(a.z, b.z, mul_add(a.y, b.y, a.x * b.x));

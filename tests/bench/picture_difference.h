@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+
 #include "rasterizer/aligned_vector.h"
 
 namespace scanlit::bench {
