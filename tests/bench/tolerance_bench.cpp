@@ -45,7 +45,7 @@ struct Difference {
   int largest = 0;
   double mean = 0;
 };
-Difference difference(const std::vector<std::uint8_t>& a, const std::vector<std::uint8_t>& b) {
+Difference difference(std::span<const std::uint8_t> a, std::span<const std::uint8_t> b) {
   Difference result;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const int off = std::abs(int(a[i]) - int(b[i]));
